@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/model/settings.h"
+
+namespace polargrain {
+
+/// What the command line lays over a scenario file.
+struct ScenarioOverrides {
+    std::vector<std::string>
+        set;  ///< "key.path=value", value in TOML, e.g. "run.duration=2", "walls[0].points=[[0,0],[1,0]]"
+    std::optional<std::string> engine;
+    std::optional<std::uint64_t> seed;
+    std::optional<int> threads;
+    bool no_frames = false;
+};
+
+/// Reads, checks and resolves a scenario; places rows and fills. Throws InputError with file, line, column, key and
+/// remedy at the first thing that is wrong; has no side effects.
+Scenario load_scenario(const std::filesystem::path& path, const ScenarioOverrides& overrides = {});
+
+struct ScenarioEntry {
+    std::string name;  ///< file name without .toml
+    std::string title;
+    std::filesystem::path path;
+};
+
+/// The folder of shipped scenarios, and what is in it, by name.
+std::filesystem::path scenario_folder();
+std::vector<ScenarioEntry> shipped_scenarios();
+
+/// A file as given, or a shipped scenario by its bare name. InputError names the nearest shipped one otherwise.
+std::filesystem::path find_scenario(const std::string& path_or_name);
+
+}  // namespace polargrain

@@ -1,0 +1,18 @@
+#include "src/core/hash.h"
+
+#include <fmt/format.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace polargrain {
+
+void StateHash::add_bytes(const void* data, std::size_t size) { value_ = XXH3_64bits_withSeed(data, size, value_); }
+
+void StateHash::add(std::span<const double> values) { add_bytes(values.data(), values.size_bytes()); }
+
+void StateHash::add(std::int64_t value) { add_bytes(&value, sizeof value); }
+
+std::string StateHash::hex() const { return fmt::format("{:016x}", value_); }
+
+}  // namespace polargrain

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "src/core/vec2.h"
+#include "src/model/grains.h"
+
+namespace polargrain {
+
+/// A circle about a grain; equal index order in all arrays.
+struct BoundingCircle {
+    Vec2 centre;
+    double radius;
+};
+
+using GrainPair = std::pair<GrainIndex, GrainIndex>;
+
+/// All pairs (a < b) of circles whose distance of centres is less than the sum of their radii [HN94, eq. 7], in
+/// ascending order. `pairs` is cleared first and keeps its memory.
+///
+/// A hierarchy of hashed grids, each level for circles of one octave of size: time and memory are linear in the number
+/// of circles however much their sizes differ, and wherever in the plane they are.
+class NeighbourSearch {
+public:
+    void find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs);
+
+private:
+    struct Entry {
+        std::int64_t cell_x, cell_y;
+        std::int32_t level;
+        GrainIndex circle;
+    };
+    std::vector<std::int32_t> bucket_start_;
+    std::vector<Entry> entries_, sorted_;
+};
+
+}  // namespace polargrain

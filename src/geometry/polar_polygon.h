@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "src/core/vec2.h"
+#include "src/geometry/mass_properties.h"
+
+namespace polargrain {
+
+/// Outline of a grain in polar form about its centre of mass. [HN94, sec. 3.3, Fig. 2]
+///
+/// Vertices run counter-clockwise in the grain's own frame, whose origin is the centre of mass; vertex q and the
+/// next one bound sector q, the triangle with the origin. Invariant: every sector has positive area and the
+/// sectors go round once (the outline is star-shaped about its centre of mass); it may be non-convex.
+/// Immutable, to be shared between grains.
+class PolarPolygon {
+public:
+    struct PolarVertex {
+        double r;      ///< [m]
+        double theta;  ///< [rad], in (-pi, pi]
+    };
+
+    /// vertices [m]: about the centre of mass, counter-clockwise, three at least.
+    /// mass: of the same outline; its centroid is taken to be the origin.
+    /// Throws InputError naming the first vertex at which the outline is not star-shaped.
+    PolarPolygon(std::string name, std::span<const Vec2> vertices, const MassProperties& mass);
+
+    const std::string& name() const { return name_; }
+    int size() const { return size_; }
+    double area() const { return area_; }
+    double polar_moment() const { return polar_moment_; }
+
+    /// Largest vertex radius: no point of the grain is farther out.
+    double outer_radius() const { return outer_radius_; }
+    /// Least distance from the centre of mass to an edge: every point nearer is inside.
+    double inner_radius() const { return inner_radius_; }
+
+    Vec2 vertex(int q) const { return {x()[q], y()[q]}; }
+    /// Outward unit normal of edge q, from vertex q to the next.
+    Vec2 normal(int q) const { return {normal_x()[q], normal_y()[q]}; }
+    /// Distance of the line of edge q from the centre of mass; positive.
+    double offset(int q) const { return x()[q] * normal_x()[q] + y()[q] * normal_y()[q]; }
+    int next(int q) const { return q + 1 == size_ ? 0 : q + 1; }
+    int previous(int q) const { return q == 0 ? size_ - 1 : q - 1; }
+    PolarVertex polar_vertex(int q) const;
+    std::vector<Vec2> vertices() const;
+
+    /// Coordinates as arrays of size() + 1 numbers, the first vertex repeated at the end.
+    const double* x() const { return data_.data(); }
+    const double* y() const { return data_.data() + stride(); }
+
+    /// Sector that holds the direction of p (grain's frame). p = 0 gives sector 0.
+    /// Cost: O(1) on average: a table over a pseudo-angle that needs no arc tangent, then a short forward scan.
+    int sector_of(const Vec2& p) const;
+
+    /// How deep the point p (grain's frame) lies behind the edge of its sector [m]: positive inside, negative
+    /// outside. Same sign as the triangle test of [HN94, sec. 3.4.1, Fig. 5], and a length besides.
+    double depth(const Vec2& p) const { return depth(p, sector_of(p)); }
+    double depth(const Vec2& p, int sector) const {
+        return (x()[sector] - p.x()) * normal_x()[sector] + (y()[sector] - p.y()) * normal_y()[sector];
+    }
+
+    /// The same outline, larger by the factor.
+    PolarPolygon scaled(double factor, std::string name) const;
+
+private:
+    PolarPolygon() = default;
+    void build_sector_table();
+
+    std::ptrdiff_t stride() const { return size_ + 1; }
+    const double* normal_x() const { return data_.data() + 2 * stride(); }
+    const double* normal_y() const { return data_.data() + 3 * stride(); }
+
+    std::string name_;
+    int size_ = 0;
+    double area_ = 0.0, polar_moment_ = 0.0, outer_radius_ = 0.0, inner_radius_ = 0.0;
+    std::vector<double> data_;                 // x, y, normal x, normal y, each size_ + 1 long
+    std::vector<std::uint16_t> first_in_bin_;  // pseudo-angle bin -> sector that holds its lower bound
+};
+
+}  // namespace polargrain

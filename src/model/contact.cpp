@@ -1,0 +1,19 @@
+#include "src/model/contact.h"
+
+namespace polargrain {
+
+const char* to_string(SlipMode mode) {
+    switch (mode) {
+        case SlipMode::separating: return "separating";
+        case SlipMode::sliding: return "sliding";
+        case SlipMode::sticks_in_compression: return "sticks_in_compression";
+        case SlipMode::reverses_in_compression: return "reverses_in_compression";
+        case SlipMode::sticks_in_restitution: return "sticks_in_restitution";
+        case SlipMode::reverses_in_restitution: return "reverses_in_restitution";
+        case SlipMode::direct_sticking: return "direct_sticking";
+        case SlipMode::direct_sliding: return "direct_sliding";
+    }
+    return "unknown";
+}
+
+}  // namespace polargrain

@@ -1,0 +1,87 @@
+#include "src/model/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polargrain {
+
+ShapeIndex Scene::add(std::shared_ptr<const Shape> shape) {
+    shapes.push_back(std::move(shape));
+    return static_cast<ShapeIndex>(shapes.size()) - 1;
+}
+
+GrainIndex Scene::add(const Grain& grain) {
+    const Shape& outline = shape(grain.shape);
+    const double density = materials[grain.material].density;
+    grains.x.push_back(grain.position.x());
+    grains.y.push_back(grain.position.y());
+    grains.angle.push_back(grain.angle);
+    grains.vx.push_back(grain.velocity.x());
+    grains.vy.push_back(grain.velocity.y());
+    grains.spin.push_back(grain.spin);
+    grains.mass.push_back(density * area(outline));
+    grains.inertia.push_back(density * polar_moment(outline));
+    grains.shape.push_back(grain.shape);
+    grains.material.push_back(grain.material);
+    return grains.size() - 1;
+}
+
+World initial_world(const Scene& scene) { return {0.0, 0, scene.grains}; }
+
+Energy energy(const Grains& grains, const Vec2& gravity) {
+    Energy sum;
+    for (std::size_t k = 0; k < grains.x.size(); ++k) {
+        sum.translational += 0.5 * grains.mass[k] * (grains.vx[k] * grains.vx[k] + grains.vy[k] * grains.vy[k]);
+        sum.rotational += 0.5 * grains.inertia[k] * grains.spin[k] * grains.spin[k];
+        sum.potential -= grains.mass[k] * (gravity.x() * grains.x[k] + gravity.y() * grains.y[k]);
+    }
+    return sum;
+}
+
+std::string state_hash(const World& world) {
+    StateHash hash;
+    hash.add(world.step);
+    for (const auto* values : {&world.grains.x, &world.grains.y, &world.grains.angle, &world.grains.vx,
+                               &world.grains.vy, &world.grains.spin}) {
+        hash.add(*values);
+    }
+    return hash.hex();
+}
+
+Drop largest_drop(const Scene& scene) {
+    const double g = std::sqrt(scene.gravity.squaredNorm());
+    if (g == 0.0) return {};
+    const Vec2 up = -scene.gravity / g;
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+        const double centre = up.dot(scene.grains.position(k));
+        const double reach = outer_radius(scene.shape_of(k));
+        lowest = std::min(lowest, centre - reach);
+        highest = std::max(highest, centre + reach);
+    }
+    // Walls bound the fall from below: grains leaving a bin drop to the end of the walls at least.
+    for (const Wall& wall : scene.walls) {
+        for (const Vec2& p : wall.points) lowest = std::min(lowest, up.dot(p));
+    }
+    return {lowest, std::max(0.0, highest - lowest)};
+}
+
+double critical_time_step(const Scene& scene) {
+    double inner = std::numeric_limits<double>::infinity();
+    double fastest = 0.0;
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+        const Shape& shape = scene.shape_of(k);
+        inner = std::min(inner, inner_radius(shape));
+        fastest = std::max(fastest, std::sqrt(scene.grains.velocity(k).squaredNorm()) +
+                                        std::abs(scene.grains.spin[Grains::at(k)]) * outer_radius(shape));
+    }
+    double wall_speed = 0.0;
+    for (const Wall& wall : scene.walls) wall_speed = std::max(wall_speed, largest_speed(wall));
+    const double g = std::sqrt(scene.gravity.squaredNorm());
+    const double speed = std::sqrt(2.0 * g * largest_drop(scene).height + fastest * fastest) + wall_speed;
+    return speed > 0.0 ? inner / (2.0 * speed) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace polargrain
