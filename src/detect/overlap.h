@@ -24,11 +24,10 @@ struct WallPiece {
 /// Cost: O(vertices on the facing side).
 bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b);
 
-/// Does the wall piece cut into the grain: a vertex of the grain behind the piece within its span, or an end point of
-/// the piece inside the grain, or the piece passing right through it?
+/// Does the wall piece reach into the grain: an end point of it inside, or the piece passing through?
 ///
-/// A grain wholly behind the piece (its centre behind, and none of it reaching the front) does not overlap it: walls
-/// are thin.
+/// Walls are thin: a grain wholly behind the piece does not overlap it. Exact up to k_touch_tolerance; a vertex of the
+/// grain that has gone through the piece implies that the piece reaches into the grain.
 bool overlap(const Shape& grain, const Pose& pose, const WallPiece& piece);
 
 }  // namespace polargrain
