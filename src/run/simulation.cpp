@@ -1,0 +1,96 @@
+#include "src/run/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/core/error.h"
+#include "src/run/time_step.h"
+
+namespace polargrain {
+
+namespace {
+
+/// Multiples of `every` that lie at or before the time; a millionth of a step early counts, being round-off.
+std::int64_t multiples_until(double time, double every, double dt) {
+    return static_cast<std::int64_t>(std::floor((time + 1e-6 * dt) / every));
+}
+
+}  // namespace
+
+RunInfo describe_run(const Scene& scene, const Engine& engine, double dt, double duration) {
+    RunInfo info;
+    info.engine = engine.name();
+    info.dt = dt;
+    info.duration = duration;
+    info.initial = energy(scene.grains, scene.gravity);
+    info.lowest = largest_drop(scene).lowest;
+    return info;
+}
+
+void add(Totals& totals, const StepReport& report) {
+    totals.ledger += report.ledger;
+    totals.moves += report.moves;
+    totals.impacts += report.impacts;
+    totals.steps += 1;
+    totals.contact_sum += static_cast<std::int64_t>(report.contacts.size());
+    totals.deepest = std::max(totals.deepest, report.deepest);
+}
+
+Simulation::Simulation(const Scene& scene, Engine& engine, RunInfo info)
+    : scene_(scene), engine_(engine), info_(std::move(info)) {
+    state_.world = initial_world(scene);
+    report_.clear(scene.walls.size());
+}
+
+Ending Simulation::run(const LoopControl& control) {
+    const std::int64_t steps = step_count(info_.duration, info_.dt);
+    begin();
+    ProgressMeter meter(control, steps, info_.dt);
+    while (state_.world.step < steps && !control.stop_requested()) {
+        step();
+        serve_due_sinks();
+        meter.after_step(state_.world.step);
+    }
+    finish();
+    return state_.world.step < steps ? Ending::interrupted : Ending::completed;
+}
+
+void Simulation::begin() {
+    state_.next_sample.assign(sinks_.size(), 1);
+    last_sampled_.assign(sinks_.size(), -1);
+    for (Sink* sink : sinks_) sink->begin(scene_, info_);
+    for (std::size_t k = 0; k < sinks_.size(); ++k) sample(k);
+}
+
+void Simulation::step() {
+    engine_.step(state_.world, info_.dt, report_);
+    PG_ASSERT(state_.world.time == static_cast<double>(state_.world.step) * info_.dt, "time {} step {} dt {}",
+              state_.world.time, state_.world.step, info_.dt);
+    polargrain::add(state_.totals, report_);
+    for (Sink* sink : sinks_) sink->step(state_.world, info_.dt, report_);
+}
+
+void Simulation::serve_due_sinks() {
+    for (std::size_t k = 0; k < sinks_.size(); ++k) {
+        const double every = sinks_[k]->every();
+        if (every <= 0.0) continue;
+        const std::int64_t reached = multiples_until(state_.world.time, every, info_.dt);
+        if (reached < state_.next_sample[k]) continue;
+        state_.next_sample[k] = reached + 1;
+        sample(k);
+    }
+}
+
+void Simulation::finish() {
+    for (std::size_t k = 0; k < sinks_.size(); ++k) {
+        if (last_sampled_[k] != state_.world.step) sample(k);
+    }
+    for (Sink* sink : sinks_) sink->end();
+}
+
+void Simulation::sample(std::size_t sink) {
+    sinks_[sink]->sample({scene_, state_.world, report_, state_.totals});
+    last_sampled_[sink] = state_.world.step;
+}
+
+}  // namespace polargrain
