@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/frame_style.h"
+#include "src/record/trajectory_reader.h"
+
+namespace polargrain {
+
+struct ContactSheetSettings {
+    int columns = 4;
+    int rows = 3;
+    int width = 1920;  ///< [pixel] of the whole sheet
+};
+
+/// One PNG with columns x rows frames, spread evenly from the first to the last, of a folder that FramesSink filled
+/// with PNG files; each with its time. Fewer frames than places fill a smaller grid. InputError where the folder has
+/// no index.csv or no PNG frames, RunError where the sheet cannot be written.
+void contact_sheet(const std::filesystem::path& frames_folder, const std::filesystem::path& sheet,
+                   const ContactSheetSettings& settings = {});
+
+/// The same, drawn anew from a recording; cells are sharp at any size, and share one legend.
+void contact_sheet(const TrajectoryReader& recording, const FrameStyle& style, const std::filesystem::path& sheet,
+                   const ContactSheetSettings& settings = {});
+
+}  // namespace polargrain

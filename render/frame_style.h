@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "src/core/vec2.h"
+#include "src/model/scene.h"
+#include "src/model/settings.h"
+
+namespace polargrain {
+
+/// What the fill of a grain shows.
+enum class ColourBy { speed, spin, angle, kinetic_energy, size, material, none };
+
+/// InputError names the nearest known word.
+ColourBy colour_by(std::string_view name);
+
+/// The piece of the plane that a picture shows.
+struct View {
+    Vec2 lower = Vec2::Zero();  ///< left, bottom [m]
+    Vec2 upper = Vec2::Zero();  ///< right, top [m]
+    double width() const { return upper.x() - lower.x(); }
+    double height() const { return upper.y() - lower.y(); }
+};
+
+/// How the frames of one run are drawn; the same for all of them, so that colours and places can be compared.
+struct FrameStyle {
+    std::string title;
+    View view;
+    int width = 1280;  ///< [pixel], even
+    int height = 720;  ///< [pixel], even
+    ColourBy colour = ColourBy::speed;
+    double colour_min = 0.0;  ///< in SI units of the quantity; values beyond the ends take the end colours
+    double colour_max = 1.0;
+    bool contacts = false;
+    double impulse_scale = 1.0;  ///< [N s/m] drawn at full thickness
+};
+
+/// Style for all frames of a scene.
+///
+/// The view is the given one, or all walls (with the reach of their motions) and all grains at time zero with a
+/// margin. Sizes are rounded up to even numbers, as movies need. A height of zero follows from the view, between a
+/// fifth and 4/3 of the width; where the view has another aspect it is shown whole and centred.
+/// The colour scale is colour_max, or from the scene alone: for speed the next round number above
+/// 0.4 sqrt(2 g H), H the largest drop, above the greatest initial speed and the greatest wall speed; for spin that
+/// speed over the mean outer radius, both ways; for kinetic energy, that of a mean grain at that speed; for size the
+/// least and the greatest outer radius.
+FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title);
+
+}  // namespace polargrain

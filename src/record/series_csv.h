@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/record/text_file.h"
+#include "src/run/sink.h"
+
+namespace polargrain {
+
+/// Writes series.csv: a row of observables at each sample; docs/run-folder.md gives every column with its unit.
+///
+/// Energies, masses and forces per metre of depth. Sums (dissipated energies, work, impacts, moves) count from time
+/// zero; forces and torques on walls are means over the time since the previous row, zero in the first. Numbers are
+/// the shortest that read back to the same bits. Each row is flushed. Errors: RunError names the file.
+class SeriesCsv : public Sink {
+public:
+    /// every: interval between rows [s]. The file is created in begin().
+    SeriesCsv(std::filesystem::path path, double every);
+
+    double every() const override { return every_; }
+    void begin(const Scene& scene, const RunInfo& info) override;
+    void step(const World& world, double dt, const StepReport& report) override;
+    void sample(const Sample& sample) override;
+    void end() override;
+
+private:
+    void append_walls(std::string& row);
+
+    std::filesystem::path path_;
+    double every_;
+    std::optional<TextFile> file_;
+    std::vector<WallImpulse> wall_sums_;  ///< since the previous row
+    double interval_ = 0.0;               ///< [s] since the previous row
+};
+
+}  // namespace polargrain
