@@ -1,0 +1,29 @@
+#include "src/cli/engine_table.h"
+
+#include <algorithm>
+#include <array>
+
+#include "src/core/error.h"
+#include "src/engines/contact/contact_1994.h"
+
+namespace polargrain {
+
+std::span<const EngineEntry> engine_table() {
+    static const std::array<EngineEntry, 1> table{
+        EngineEntry{"contact-1994", "the contact model of Hogue & Newland 1994, to the letter", make_contact_1994},
+    };
+    return table;
+}
+
+const EngineEntry& find_engine(const std::string& name) {
+    const std::span<const EngineEntry> table = engine_table();
+    const auto found = std::ranges::find(table, name, &EngineEntry::name);
+    if (found != table.end()) return *found;
+    std::string names;
+    for (const EngineEntry& entry : table) names += (names.empty() ? "" : ", ") + entry.name;
+    throw InputError(fmt::format(
+        "run.engine = \"{}\": this build has no such engine; set run.engine (or --engine) to one it has: {}", name,
+        names));
+}
+
+}  // namespace polargrain

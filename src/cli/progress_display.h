@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "src/run/progress.h"
+
+namespace polargrain {
+
+enum class DisplayMode {
+    bar,    ///< one line that is drawn over and over, for a terminal
+    lines,  ///< a plain line every ten seconds and at each quarter, for files and pipes
+    none,
+};
+
+/// bar where standard output is a terminal, lines where it is not, none where quiet.
+DisplayMode display_mode(bool quiet);
+
+/// Shows on standard output how far a loop has come: simulated time, step rate, time left.
+class ProgressDisplay {
+public:
+    /// label: what is going on, in front of each line.
+    ProgressDisplay(std::string label, DisplayMode mode);
+    /// Takes the bar away, if there is one.
+    ~ProgressDisplay();
+    ProgressDisplay(const ProgressDisplay&) = delete;
+    ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+    void show(const Progress& progress);
+
+private:
+    using Clock = std::chrono::steady_clock;
+    void show_line(const Progress& progress, double fraction);
+
+    std::string label_;
+    DisplayMode mode_;
+    Clock::time_point last_line_;
+    int quarters_shown_ = 0;
+};
+
+/// "0:07", "12:34", "3:05:00": hours only where there are any.
+std::string clock_text(double seconds);
+
+}  // namespace polargrain

@@ -1,0 +1,61 @@
+#include "src/cli/run_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "src/core/error.h"
+
+namespace polargrain {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array k_run_files{"scenario.toml", "summary.json", "series.csv",
+                                 "trajectory.h5", "impacts.csv",  "checkpoint.h5"};
+
+bool is_frame(const fs::path& file) {
+    constexpr std::array extensions{".png", ".svg", ".pdf"};
+    const std::string stem = file.stem().string();
+    return !stem.empty() && std::ranges::all_of(stem, [](char c) { return c >= '0' && c <= '9'; }) &&
+           std::ranges::find(extensions, file.extension().string()) != extensions.end();
+}
+
+void remove_run_files(const fs::path& folder) {
+    for (const char* name : k_run_files) fs::remove(folder / name);
+    const fs::path frames = folder / "frames";
+    if (!fs::is_directory(frames)) return;
+    std::vector<fs::path> drawn;
+    for (const fs::directory_entry& entry : fs::directory_iterator(frames)) {
+        if (is_frame(entry.path())) drawn.push_back(entry.path());
+    }
+    for (const fs::path& file : drawn) fs::remove(file);
+    if (fs::is_empty(frames)) fs::remove(frames);
+}
+
+}  // namespace
+
+void check_run_folder(const fs::path& folder, bool force) {
+    if (!fs::exists(folder)) return;
+    require(fs::is_directory(folder), "{}: is a file; give another folder with -o", folder.string());
+    require(force || fs::is_empty(folder),
+            "{}: the folder is not empty; give another with -o, or --force to replace the run in it", folder.string());
+}
+
+void create_run_folder(const fs::path& folder) {
+    try {
+        fs::create_directories(folder);
+        remove_run_files(folder);
+    } catch (const fs::filesystem_error& error) {
+        throw RunError(fmt::format("cannot make the run folder {}: {}", folder.string(), error.code().message()));
+    }
+}
+
+void discard_run_folder(const fs::path& folder) {
+    remove_run_files(folder);
+    if (fs::is_empty(folder)) fs::remove(folder);
+}
+
+}  // namespace polargrain

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+namespace polargrain {
+
+/// Throws InputError where the folder cannot become a run folder: it is a file, or something is in it and `force` is
+/// not set. Changes nothing.
+void check_run_folder(const std::filesystem::path& folder, bool force);
+
+/// Makes the folder and its parents, and removes what an earlier run left in it: only files that a run folder is made
+/// of, nothing else. RunError where that fails.
+void create_run_folder(const std::filesystem::path& folder);
+
+/// Removes the files of a run from the folder, and the folder if it is empty then.
+void discard_run_folder(const std::filesystem::path& folder);
+
+}  // namespace polargrain
