@@ -24,27 +24,30 @@ struct DiskSpec {
 };
 struct RegularSpec {
     double radius = 0.0;  ///< to a vertex
-    int sides = 0;
+    int sides = 0;        ///< the first vertex lies on the x axis
 };
 struct EllipseSpec {
     double width = 0.0, height = 0.0;
-    int vertices = 32;
+    int vertices = 32;  ///< on the ellipse, by equal steps of its parameter
 };
+/// |2 x / width|^exponent + |2 y / height|^exponent = 1.
 struct SuperellipseSpec {
     double width = 0.0, height = 0.0;
-    double exponent = 2.0;
+    double exponent = 2.0;  ///< 0.2 to 100; 2: ellipse, large: rectangle, below 1: four-pointed star
     int vertices = 32;
 };
 struct StickSpec {
     double length = 0.0, width = 0.0;  ///< length over all, ends rounded with half the width
-    int vertices = 16;
+    int vertices = 16;                 ///< even, half of them on each end
 };
 struct StarSpec {
     double radius = 0.0, inner_radius = 0.0;
     int points = 5;
 };
 /// Radius mean x (1 + roughness x f(theta)), f a smooth random Fourier series of the given modes, scaled so that its
-/// root mean square over draws is 1 / sqrt(2) (one mode of unit amplitude) and clipped at +-1.
+/// root mean square over draws is 1 / sqrt(2) (one mode of unit amplitude) and clipped at +-1. Modes above half the
+/// number of vertices cannot show and are left out. A draw that is not star-shaped about its centre of mass is drawn
+/// again.
 struct RoughSpec {
     double radius = 0.0;
     double roughness = 0.0;

@@ -26,6 +26,10 @@ double sine_kernel(double x) {  // Taylor series, |x| <= pi/4: the first term le
     return x + x * (z * p);
 }
 
+// log 2 in two parts, the first with trailing zero bits: a count of doublings times it is exact.
+constexpr double k_log2_high = 0x1.62e42fee00000p-1;
+constexpr double k_log2_low = 0x1.a39ef35793c76p-33;
+
 double cosine_kernel(double x) {
     const double z = x * x;
     double p = -1.0 / 6402373705728000.0;
@@ -65,9 +69,17 @@ double natural_log(double x) {
     const double z = f * f;
     double p = 0.0;
     for (int k = 21; k >= 3; k -= 2) p = (1.0 / k) + z * p;
-    constexpr double k_log2_high = 0x1.62e42fee00000p-1;
-    constexpr double k_log2_low = 0x1.a39ef35793c76p-33;
     return exponent * k_log2_high + (2.0 * f + (2.0 * f * (z * p) + exponent * k_log2_low));
 }
+
+double exponential(double x) {
+    const double doublings = std::nearbyint(x / (k_log2_high + k_log2_low));
+    const double r = (x - doublings * k_log2_high) - doublings * k_log2_low;
+    double p = 0.0;  // Taylor series, |r| <= 0.35: the first term left out is below 4e-18
+    for (int k = 13; k >= 2; --k) p = (r / k) * (1.0 + p);
+    return std::ldexp(1.0 + (r + r * p), static_cast<int>(doublings));
+}
+
+double power(double base, double exponent) { return exponential(exponent * natural_log(base)); }
 
 }  // namespace polargrain

@@ -20,4 +20,11 @@ SineCosine sine_cosine(double angle);
 /// Natural logarithm of x > 0, the same bits everywhere; relative error below 4e-16.
 double natural_log(double x);
 
+/// e to the power x for |x| < 700, the same bits everywhere; relative error below 4e-16.
+double exponential(double x);
+
+/// base > 0 to any real power with |exponent x log base| < 700, the same bits everywhere; relative error below
+/// 4e-16 x (1 + |exponent x log base|).
+double power(double base, double exponent);
+
 }  // namespace polargrain

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -18,12 +20,14 @@ namespace polargrain {
 /// Immutable, to be shared between grains.
 class PolarPolygon {
 public:
+    static constexpr int k_max_vertices = 65534;
+
     struct PolarVertex {
         double r;      ///< [m]
         double theta;  ///< [rad], in (-pi, pi]
     };
 
-    /// vertices [m]: about the centre of mass, counter-clockwise, three at least.
+    /// vertices [m]: about the centre of mass, counter-clockwise, three to k_max_vertices.
     /// mass: of the same outline; its centroid is taken to be the origin.
     /// Throws InputError naming the first vertex at which the outline is not star-shaped.
     PolarPolygon(std::string name, std::span<const Vec2> vertices, const MassProperties& mass);
@@ -52,7 +56,8 @@ public:
     const double* x() const { return data_.data(); }
     const double* y() const { return data_.data() + stride(); }
 
-    /// Sector that holds the direction of p (grain's frame). p = 0 gives sector 0.
+    /// Sector that holds the direction of p (grain's frame); a ray through a vertex belongs to the sector that begins
+    /// there, and p = 0 counts as on the positive x axis.
     /// Cost: O(1) on average: a table over a pseudo-angle that needs no arc tangent, then a short forward scan.
     int sector_of(const Vec2& p) const;
 
@@ -63,12 +68,14 @@ public:
         return (x()[sector] - p.x()) * normal_x()[sector] + (y()[sector] - p.y()) * normal_y()[sector];
     }
 
-    /// The same outline, larger by the factor.
+    /// The same outline, larger by the factor: finite and positive, else InputError.
     PolarPolygon scaled(double factor, std::string name) const;
 
 private:
-    PolarPolygon() = default;
+    void fill_tables(std::span<const Vec2> vertices);
+    void check_star_shape() const;
     void build_sector_table();
+    static double pseudo_angle(const Vec2& p);
 
     std::ptrdiff_t stride() const { return size_ + 1; }
     const double* normal_x() const { return data_.data() + 2 * stride(); }
@@ -80,5 +87,26 @@ private:
     std::vector<double> data_;                 // x, y, normal x, normal y, each size_ + 1 long
     std::vector<std::uint16_t> first_in_bin_;  // pseudo-angle bin -> sector that holds its lower bound
 };
+
+// Rises with the angle from 0 at the positive x axis to 4 after a full turn (the "diamond angle").
+inline double PolarPolygon::pseudo_angle(const Vec2& p) {
+    const double sum = std::abs(p.x()) + std::abs(p.y());
+    if (!(sum > 0.0)) return 0.0;
+    const double t = p.x() / sum;
+    return p.y() >= 0.0 ? 1.0 - t : 3.0 + t;
+}
+
+inline int PolarPolygon::sector_of(const Vec2& p) const {
+    const int bins = static_cast<int>(first_in_bin_.size());
+    const int bin = std::min(static_cast<int>(pseudo_angle(p) * (0.25 * bins)), bins - 1);
+    const double* px = x();
+    const double* py = y();
+    int q = first_in_bin_[static_cast<std::size_t>(bin)];
+    // Forward while p lies on or beyond the far ray of the sector. Bounded, for p = 0 and for slivers.
+    for (int tries = 0; tries < size_ && px[q + 1] * p.y() - py[q + 1] * p.x() >= 0.0; ++tries) q = next(q);
+    // Round-off can place a point just short of a ray one bin too far.
+    for (int tries = 0; tries < size_ && px[q] * p.y() - py[q] * p.x() < 0.0; ++tries) q = previous(q);
+    return q;
+}
 
 }  // namespace polargrain

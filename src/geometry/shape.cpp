@@ -1,12 +1,15 @@
 #include "src/geometry/shape.h"
 
+#include <cmath>
+
 #include "src/core/elementary.h"
 #include "src/core/error.h"
 
 namespace polargrain {
 
 Disk::Disk(std::string name, double radius) : name_(std::move(name)), radius_(radius) {
-    require(radius > 0.0, "shape \"{}\": the radius is {}, it must be positive", name_, radius);
+    require(std::isfinite(radius) && radius > 0.0, "shape \"{}\": radius is {}: give a finite length above 0 [m]",
+            name_, radius);
 }
 
 double Disk::area() const { return k_pi * radius_ * radius_; }
