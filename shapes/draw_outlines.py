@@ -120,25 +120,29 @@ def trilobe(lobe_radius, centre_distance, count):
 
 
 def rice(length, width, count):
-    """Half width w (1 - s^2)^0.62 (1 + 0.12 s) over s = x / half length: one end blunter than the other."""
+    """Half width w (1 - s^2)^0.45 (1 + 0.12 s) over s = x / half length: one end blunter than the other."""
     points = []
     for k in range(count):
         angle = 2.0 * math.pi * k / count
         s = math.cos(angle)
         side = 1.0 if math.sin(angle) >= 0.0 else -1.0
-        half = 0.5 * width * max(0.0, 1.0 - s * s) ** 0.62 * (1.0 + 0.12 * s)
+        half = 0.5 * width * max(0.0, 1.0 - s * s) ** 0.45 * (1.0 + 0.12 * s)
         points.append((0.5 * length * s, side * half))
     return points
 
 
-def bean(length, count):
-    """r = 1 + 0.28 cos 2a - 0.26 sin a + 0.10 sin 3a: hollow on the upper side, scaled to the length along x."""
-    def shape(angle):
-        return 1.0 + 0.28 * math.cos(2 * angle) - 0.26 * math.sin(angle) + 0.10 * math.sin(3 * angle)
+def bean(spine_radius, half_width, half_angle, per_side, per_end):
+    """A rounded bar bent along an arc about the origin, hollow side down."""
+    def arc(centre, radius, start, end, count):
+        steps = [start + (end - start) * k / (count - 1) for k in range(count)]
+        return [(centre[0] + x, centre[1] + y) for x, y in (polar(radius, degrees) for degrees in steps)]
 
-    points = [polar(shape(2.0 * math.pi * k / count), 360.0 * k / count) for k in range(count)]
-    extent = max(x for x, _ in points) - min(x for x, _ in points)
-    return [(x * length / extent, y * length / extent) for x, y in points]
+    right, left = 90.0 - half_angle, 90.0 + half_angle
+    outer = arc((0.0, 0.0), spine_radius + half_width, right, left, per_side)
+    left_end = arc(polar(spine_radius, left), half_width, left, left + 180.0, per_end)
+    inner = arc((0.0, 0.0), spine_radius - half_width, left, right, per_side - 4)
+    right_end = arc(polar(spine_radius, right), half_width, right + 180.0, right + 360.0, per_end)
+    return outer + left_end[1:-1] + inner + right_end[1:-1]
 
 
 SAND = ("Drawn for this project: radius as a Fourier series about mean radius {r} mm, amplitude {d2} in mode 2, "
@@ -163,17 +167,18 @@ def built(name, title, dimensions, points):
 
 OUTLINES = [
     sand("sand-rounded", "Well-rounded sand grain, 0.5 mm", 11, 0.25, 0.06, 0.02, 0.003),
-    sand("sand-subrounded", "Sub-rounded sand grain, 1 mm", 23, 0.5, 0.09, 0.05, 0.007),
-    sand("sand-subangular", "Sub-angular sand grain, 1 mm", 37, 0.5, 0.10, 0.08, 0.020),
-    sand("sand-elongated", "Elongated sand grain, 1.2 mm", 41, 0.5, 0.24, 0.05, 0.008),
+    sand("sand-subrounded", "Sub-rounded sand grain, 1 mm", 23, 0.5, 0.09, 0.04, 0.006),
+    sand("sand-subangular", "Sub-angular sand grain, 1 mm", 38, 0.5, 0.10, 0.05, 0.016),
+    sand("sand-elongated", "Elongated sand grain, 1.2 mm", 43, 0.5, 0.22, 0.04, 0.007),
     crushed("sand-angular", "Angular sand grain, 1 mm", 5, 1.0, 0.80, 9, 0.05),
     crushed("gravel", "Crushed stone, 20 mm", 8, 20.0, 0.85, 8, 0.04),
     crushed("gravel-flaky", "Flaky crushed stone, 22 mm", 14, 22.0, 0.48, 9, 0.05, 0.12),
     sand("pebble", "River pebble, 32 mm", 3, 14.0, 0.14, 0.03, 0.002),
-    built("rice", "Grain of rice, 7 x 2.1 mm", "length 7 mm, width 2.1 mm, half width w (1 - s^2)^0.62 (1 + 0.12 s)",
+    built("rice", "Grain of rice, 7 x 2.1 mm", "length 7 mm, width 2.1 mm, half width w (1 - s^2)^0.45 (1 + 0.12 s)",
           rice(7.0, 2.1, 32)),
     built("bean", "Bean, 12 mm, hollow on one side",
-          "length 12 mm, radius in proportion to 1 + 0.28 cos 2a - 0.26 sin a + 0.10 sin 3a", bean(12.0, 48)),
+          "bar with rounded ends, 4.8 mm wide, bent along 70 degrees of a circle of radius 6.2 mm",
+          bean(6.2, 2.4, 35.0, 13, 10)),
     built("trilobe", "Three-lobed pellet, 3 mm", "three circles of radius 0.75 mm, 0.7 mm from the middle",
           trilobe(0.75, 0.7, 48)),
     built("stick", "Stick with rounded ends, 20 x 3 mm", "length 20 mm, width 3 mm, 8 vertices to an end",
