@@ -13,11 +13,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array k_run_files{"scenario.toml", "summary.json", "series.csv",
-                                 "trajectory.h5", "impacts.csv",  "checkpoint.h5"};
+constexpr std::array k_run_files{"scenario.toml", "summary.json",  "series.csv", "trajectory.h5",
+                                 "impacts.csv",   "checkpoint.h5", "sheet.png"};
 
-bool is_frame(const fs::path& file) {
+bool belongs_to_frames(const fs::path& file) {
     constexpr std::array extensions{".png", ".svg", ".pdf"};
+    if (file.filename() == "index.csv") return true;
     const std::string stem = file.stem().string();
     return !stem.empty() && std::ranges::all_of(stem, [](char c) { return c >= '0' && c <= '9'; }) &&
            std::ranges::find(extensions, file.extension().string()) != extensions.end();
@@ -29,7 +30,7 @@ void remove_run_files(const fs::path& folder) {
     if (!fs::is_directory(frames)) return;
     std::vector<fs::path> drawn;
     for (const fs::directory_entry& entry : fs::directory_iterator(frames)) {
-        if (is_frame(entry.path())) drawn.push_back(entry.path());
+        if (belongs_to_frames(entry.path())) drawn.push_back(entry.path());
     }
     for (const fs::path& file : drawn) fs::remove(file);
     if (fs::is_empty(frames)) fs::remove(frames);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "scenarios/reader.h"
+
+namespace polargrain {
+
+// The commands of the program. Each returns its exit code, prints results to standard output and throws InputError for
+// the user's mistakes and RunError for a run that cannot go on.
+
+inline constexpr int k_exit_done = 0;
+inline constexpr int k_exit_failed = 1;
+inline constexpr int k_exit_wrong_input = 2;
+inline constexpr int k_exit_interrupted = 130;
+
+struct RunRequest {
+    std::string scenario;  ///< file, or name of a shipped scenario
+    ScenarioOverrides overrides;
+    std::optional<std::filesystem::path> folder;  ///< none: out/<scenario name>
+    bool force = false;
+    bool quiet = false;
+    std::string command_line;  ///< for messages that say how to repeat the run
+};
+int run_command(const RunRequest& request);
+
+struct CheckRequest {
+    std::string scenario;
+    ScenarioOverrides overrides;
+};
+int check_command(const CheckRequest& request);
+
+struct ShapeRequest {
+    std::string shape;                             ///< outline file, or name of a shipped outline
+    std::optional<std::filesystem::path> picture;  ///< where to draw it
+    bool force = false;
+};
+int shape_command(const ShapeRequest& request);
+
+/// what: "scenarios", "shapes", "engines", or empty for all three.
+int list_command(const std::string& what);
+
+struct SheetRequest {
+    std::filesystem::path folder;                ///< of a run
+    std::optional<std::filesystem::path> sheet;  ///< none: sheet.png in the folder
+    int count = 12;                              ///< frames on the sheet
+    bool force = false;
+};
+int sheet_command(const SheetRequest& request);
+
+}  // namespace polargrain

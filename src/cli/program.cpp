@@ -1,0 +1,203 @@
+#include "src/cli/program.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "src/cli/commands.h"
+#include "src/core/build_info.h"
+#include "src/core/error.h"
+#include "src/core/nearest_name.h"
+
+namespace polargrain {
+
+namespace {
+
+std::string version_text() {
+    const BuildInfo& build = build_info();
+    return fmt::format("polargrain {}\n  compiler   {}\n  flags      {}\n  libraries  {}", build.version,
+                       build.compiler, build.flags, build.libraries);
+}
+
+/// A word as a shell would need it to be typed.
+std::string quoted(const std::string& word) {
+    const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+std::string command_line(std::span<const char* const> words) {
+    std::string line;
+    for (const char* word : words) line += (line.empty() ? "" : " ") + quoted(word);
+    return line;
+}
+
+void add_overrides(CLI::App& command, ScenarioOverrides& overrides) {
+    command.add_option("--set", overrides.set, "lay a value over the file, e.g. run.duration=2 (may be repeated)")
+        ->type_name("KEY.PATH=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--engine", overrides.engine, "engine in place of run.engine")->type_name("NAME");
+    command.add_option("--seed", overrides.seed, "random seed in place of run.seed")->type_name("N");
+    command.add_option("--threads", overrides.threads, "threads in place of run.threads")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+}
+
+using Action = std::function<int()>;
+
+void add_run(CLI::App& app, RunRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("run", "run a scenario and write a run folder");
+    command->add_option("SCENARIO", request.scenario, "scenario file, or the name of a shipped one")->required();
+    command->add_option("-o,--output", request.folder, "run folder; default out/<scenario name>")->type_name("DIR");
+    add_overrides(*command, request.overrides);
+    command->add_flag("--no-frames", request.overrides.no_frames, "draw no pictures");
+    command->add_flag("--force", request.force, "replace the run that is in the folder");
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain run domino-opalene\n"
+        "  polargrain run scenarios/bin-rough.toml -o out/bin --set run.duration=0.5 --seed 7\n"
+        "  polargrain run out/bin/scenario.toml -o out/bin-again     (the same result, bit for bit)\n"
+        "Ctrl-C ends a run after the step in progress; what was computed so far stays in the folder.");
+    command->callback([&] { action = [&] { return run_command(request); }; });
+}
+
+void add_check(CLI::App& app, CheckRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("check", "read a scenario, say what would run, run nothing");
+    command->add_option("SCENARIO", request.scenario, "scenario file, or the name of a shipped one")->required();
+    add_overrides(*command, request.overrides);
+    command->footer(
+        "Examples:\n"
+        "  polargrain check bin-rough\n"
+        "  polargrain check my.toml --set run.time_step=1e-4");
+    command->callback([&] { action = [&] { return check_command(request); }; });
+}
+
+void add_shape(CLI::App& app, ShapeRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("shape", "measure an outline and draw it with its polar sectors");
+    command->add_option("SHAPE", request.shape, "outline file, or the name of a shipped one")->required();
+    command->add_option("-o,--output", request.picture, "draw it: .png, .svg or .pdf")->type_name("PICTURE");
+    command->add_flag("--force", request.force, "replace a picture of that name");
+    command->footer(
+        "Examples:\n"
+        "  polargrain list shapes\n"
+        "  polargrain shape gear\n"
+        "  polargrain shape gear -o out/gear.png --force");
+    command->callback([&] { action = [&] { return shape_command(request); }; });
+}
+
+void add_list(CLI::App& app, std::string& what, Action& action) {
+    CLI::App* command = app.add_subcommand("list", "what is at hand, a line each");
+    command->add_option("WHAT", what, "scenarios, shapes or engines; all three if left out")
+        ->check(CLI::IsMember({"scenarios", "shapes", "engines"}));
+    command->footer(
+        "Examples:\n"
+        "  polargrain list\n"
+        "  polargrain list shapes");
+    command->callback([&] { action = [&] { return list_command(what); }; });
+}
+
+void add_sheet(CLI::App& app, SheetRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("sheet", "one picture with frames from a run, evenly spread over its time");
+    command->add_option("DIR", request.folder, "run folder")->required();
+    command->add_option("-o,--output", request.sheet, "PNG file; default sheet.png in the run folder")
+        ->type_name("PICTURE");
+    command->add_option("--count", request.count, "number of frames on the sheet, default 12")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100));
+    command->add_flag("--force", request.force, "replace a picture of that name");
+    command->footer(
+        "Examples:\n"
+        "  polargrain sheet out/domino-opalene\n"
+        "  polargrain sheet out/domino-opalene -o out/dominoes.png --count 6 --force");
+    command->callback([&] { action = [&] { return sheet_command(request); }; });
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+/// "; did you mean X?" for the nearest known command or option, or nothing.
+std::string hint_for(const CLI::App& app) {
+    std::vector<std::string> known = command_names(app);
+    const CLI::App* command = &app;
+    if (const auto parsed = app.get_subcommands(); !parsed.empty()) command = parsed.front();
+    for (const CLI::Option* option : command->get_options()) {
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    for (const std::string& word : app.remaining(true)) {
+        const std::string nearest = nearest_name(word, known);
+        if (!nearest.empty() && nearest != word) return "; did you mean " + nearest + "?";
+    }
+    return "";
+}
+
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    const bool unknown_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    const auto parsed = app.get_subcommands();
+    const std::string command = parsed.empty() ? "" : " " + parsed.front()->get_name();
+    fmt::print(stderr, "polargrain{}: {}{}\nsee polargrain{} --help\n", command, error.what(),
+               unknown_words ? hint_for(app) : "", command);
+    return k_exit_wrong_input;
+}
+
+int run_action(const Action& action) {
+    try {
+        return action();
+    } catch (const InputError& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return k_exit_wrong_input;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return k_exit_failed;
+    }
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+    CLI::App app{"polargrain: 2D granular flow with real grain shapes", "polargrain"};
+    app.set_version_flag("--version", version_text, "version, build flags and library versions");
+    app.set_help_flag("-h,--help", "this help");
+    app.footer(
+        "Examples:\n"
+        "  polargrain list\n"
+        "  polargrain run domino-opalene          (pictures and numbers go to out/domino-opalene)\n"
+        "  polargrain COMMAND --help              (more examples)\n"
+        "Exit codes: 0 done, 1 the run failed, 2 wrong input or command line, 130 interrupted.");
+
+    RunRequest run;
+    CheckRequest check;
+    ShapeRequest shape;
+    SheetRequest sheet;
+    std::string what;
+    Action action;
+    run.command_line = command_line({argv, static_cast<std::size_t>(argc)});
+    add_run(app, run, action);
+    add_check(app, check, action);
+    add_shape(app, shape, action);
+    add_list(app, what, action);
+    add_sheet(app, sheet, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return explain(app, error);
+    }
+    if (action) return run_action(action);
+    fmt::print(stderr, "{}", app.help());
+    return k_exit_wrong_input;
+}
+
+}  // namespace polargrain

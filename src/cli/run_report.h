@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+
+#include "src/model/settings.h"
+#include "src/record/summary.h"
+#include "src/run/simulation.h"
+#include "src/run/time_step.h"
+
+namespace polargrain {
+
+/// What a run has cost.
+struct RunCost {
+    double cpu_seconds = 0.0;
+    double wall_seconds = 0.0;
+};
+
+/// What will run, in a few lines: grains, walls, shapes, time step and where it comes from, steps.
+void print_plan(const Scenario& scenario, const TimeStep& time_step);
+
+/// A warning on standard error where the step is larger than the engine vouches for.
+void warn_of_large_step(const TimeStep& time_step);
+
+Summary summarize(const Scenario& scenario, const RunInfo& info, const RunState& state, Ending ending,
+                  const RunCost& cost);
+
+/// The closing lines of a run: what it took, and how honest the method was.
+void print_summary(const Summary& summary, double initial_energy, const std::filesystem::path& folder);
+
+}  // namespace polargrain
