@@ -7,8 +7,10 @@ namespace polargrain {
 
 namespace {
 
-bool deep_point(const PolarPolygon& polygon, const Vec2& p, int sector, double tolerance) {
-    return polygon.depth(p, sector) > tolerance;
+/// Is the piece, neither end of which lies within the radius of the origin, nearer than that somewhere between?
+bool middle_within(const Vec2& p, const Vec2& q, double turn, double radius_squared) {
+    const Vec2 along = q - p;
+    return p.dot(along) < 0.0 && q.dot(along) > 0.0 && turn * turn < radius_squared * along.squaredNorm();
 }
 
 /// Does the sweep towards q meet the ray of the vertex before it gets to q? Round-off may have put an end that lies on
@@ -23,12 +25,14 @@ bool piece_enters(const PolarPolygon& polygon, const Vec2& p, const Vec2& q, dou
     const Vec2 along = q - p;
     const double turn = cross(p, q);  // twice the area swept as seen from the centre of mass
     const double reach = polygon.outer_radius() * polygon.outer_radius();
-    if (turn * turn >= reach * along.squaredNorm() && turn != 0.0) return false;  // the whole line passes outside
+    const bool p_near = p.squaredNorm() < reach;
+    const bool q_near = q.squaredNorm() < reach;
+    if (!p_near && !q_near && !middle_within(p, q, turn, reach)) return false;
 
     const int first = polygon.sector_of(p);
-    if (deep_point(polygon, p, first, tolerance)) return true;
+    if (p_near && polygon.depth(p, first) > tolerance) return true;
     const int last = polygon.sector_of(q);
-    if (deep_point(polygon, q, last, tolerance)) return true;
+    if (q_near && polygon.depth(q, last) > tolerance) return true;
     if (turn == 0.0) return p.dot(q) < 0.0;  // along a ray: through the centre, or wholly on one side
 
     for (int sector = first; sector != last;) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/detect/boundary.h"
+#include "src/detect/facing.h"
 
 namespace polargrain {
 
@@ -17,23 +18,17 @@ double distance_squared(const Vec2& point, const Vec2& a, const Vec2& b) {
 }
 
 /// Calls visit(p, q) for each edge of `grain`, in the frame of a circle about the origin, that can reach the circle:
-/// an edge with both ends behind the tangent line of the circle cannot [HN94, Fig. 4]. Stops at the first true.
+/// those with an end that faces it. Stops at the first true.
 template <typename Visit>
 bool any_facing_edge(const PolarPolygon& grain, const Pose& pose, double circle_radius, Visit visit) {
-    const double distance = std::sqrt(pose.centre.squaredNorm());
-    const Vec2 towards = pose.turned_back(-pose.centre / distance);
-    const double limit = distance - circle_radius;
-    const double* x = grain.x();
-    const double* y = grain.y();
-    bool faces = x[0] * towards.x() + y[0] * towards.y() > limit;
-    for (int k = 0; k < grain.size(); ++k) {
-        const bool next_faces = x[k + 1] * towards.x() + y[k + 1] * towards.y() > limit;
-        if (faces || next_faces) {
-            if (visit(pose.to_world({x[k], y[k]}), pose.to_world({x[k + 1], y[k + 1]}))) return true;
-        }
-        faces = next_faces;
-    }
-    return false;
+    int last_end = -1;
+    return any_facing_vertex(grain, pose, circle_radius, [&](int k) {
+        const Vec2 v = pose.to_world(grain.vertex(k));
+        // The edge before ends here; it has been visited if the vertex before faces too.
+        if (last_end != k && visit(pose.to_world(grain.vertex(grain.previous(k))), v)) return true;
+        last_end = k + 1;
+        return visit(v, pose.to_world(grain.vertex(grain.next(k))));
+    });
 }
 
 double tolerance_of(double radius_a, double radius_b) { return k_touch_tolerance * std::min(radius_a, radius_b); }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "src/detect/neighbours.h"
+
+namespace polargrain {
+
+/// Pairs of grains that may touch, kept over several steps (a Verlet list).
+///
+/// Each grain gets a margin of k_margin of its radius; the list is made anew as soon as one grain has moved farther
+/// than its margin. A pair that is not listed cannot touch. What is listed beyond that never changes a result.
+class PairList {
+public:
+    /// radii [m]: outer radii, one per grain.
+    explicit PairList(std::vector<double> radii);
+
+    /// Brings the list up to date for grains that may be anywhere on the way from `from` to `to`; true if it was made
+    /// anew. All pairs whose circles meet at either end are listed afterwards.
+    bool update(std::span<const Vec2> from, std::span<const Vec2> to);
+
+    const std::vector<GrainPair>& pairs() const { return pairs_; }
+    double radius(GrainIndex k) const { return radii_[Grains::at(k)]; }
+
+private:
+    static constexpr double k_margin = 0.15;
+
+    std::vector<double> radii_;
+    std::vector<Vec2> built_at_;
+    NeighbourSearch search_;
+    std::vector<BoundingCircle> circles_;
+    std::vector<GrainPair> pairs_;
+};
+
+}  // namespace polargrain

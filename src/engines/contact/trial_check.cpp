@@ -1,0 +1,140 @@
+#include "src/engines/contact/trial_check.h"
+
+#include <algorithm>
+
+namespace polargrain {
+
+namespace {
+
+std::vector<double> outer_radii(const Scene& scene) {
+    std::vector<double> radii;
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) radii.push_back(outer_radius(scene.shape_of(k)));
+    return radii;
+}
+
+bool circles_meet(const Vec2& a, const Vec2& b, double reach) { return (a - b).squaredNorm() < reach * reach; }
+
+Motion motion_of(const Grains& grains, GrainIndex k) { return {grains.velocity(k), grains.spin[Grains::at(k)]}; }
+
+/// The contact of grains a < b at the given poses, as it is recorded.
+std::optional<RecordedContact> contact_between(const Scene& scene, const Grains& grains, GrainIndex a,
+                                               const Pose& pose_a, GrainIndex b, const Pose& pose_b) {
+    const auto contact = find_contact(PlacedShape{scene.shape_of(b), pose_b, motion_of(grains, b)},
+                                      PlacedShape{scene.shape_of(a), pose_a, motion_of(grains, a)});
+    if (!contact) return std::nullopt;
+    return RecordedContact{a, b, contact->point, contact->normal, pose_a.centre, pose_b.centre, contact->depth};
+}
+
+bool by_bodies(const RecordedContact& p, const RecordedContact& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); }
+
+}  // namespace
+
+void take_trial(Grains& grains, const Vec2& gravity, double dt, TrialConfiguration& c) {
+    const std::size_t n = grains.x.size();
+    c.current.resize(n);
+    c.trial.resize(n);
+    c.current_centre.resize(n);
+    c.trial_centre.resize(n);
+    c.trial_angle.resize(n);
+    const Vec2 fall = 0.5 * dt * dt * gravity;
+    const Vec2 kick = dt * gravity;
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto g = static_cast<GrainIndex>(k);
+        const Vec2 x = grains.position(g);
+        const Vec2 v = grains.velocity(g);
+        c.current[k] = Pose::at(x, grains.angle[k]);
+        c.current_centre[k] = x;
+        c.trial_centre[k] = x + dt * v + fall;
+        c.trial_angle[k] = grains.angle[k] + dt * grains.spin[k];
+        c.trial[k] = Pose::at(c.trial_centre[k], c.trial_angle[k]);
+        grains.set_velocity(g, v + kick);
+    }
+}
+
+TrialCheck::TrialCheck(const Scene& scene) : scene_(scene), pairs_(outer_radii(scene)) {}
+
+void TrialCheck::run(const TrialConfiguration& configuration, const Grains& grains, double trial_time) {
+    overlaps_.conflicts.clear();
+    overlaps_.order.clear();
+    overlaps_.blocked.assign(grains.x.size(), 0);
+    found_.clear();
+    check_walls(configuration, grains, trial_time);
+    check_pairs(configuration, grains);
+}
+
+void TrialCheck::check_walls(const TrialConfiguration& configuration, const Grains& grains, double trial_time) {
+    place_pieces(scene_, trial_time, pieces_);
+    wall_motions_.clear();
+    for (const Wall& wall : scene_.walls) wall_motions_.push_back(wall_motion(wall, trial_time));
+    for (GrainIndex k = 0; k < grains.size(); ++k) {
+        const Pose& pose = configuration.trial[Grains::at(k)];
+        const double radius = pairs_.radius(k);
+        for (const PlacedPiece& piece : pieces_) {
+            if (!piece.near(pose.centre, radius)) continue;
+            const Shape& shape = scene_.shape_of(k);
+            if (!overlap(shape, pose, piece.piece)) continue;
+            const Motion& wall = wall_motions_[static_cast<std::size_t>(piece.wall)];
+            const PlacedShape placed{shape, pose, motion_of(grains, k)};
+            const auto contact = find_contact(placed, piece.piece, wall, configuration.current_centre[Grains::at(k)]);
+            if (!contact) continue;
+            found_.push_back(
+                {wall_body(piece.wall), k, contact->point, contact->normal, Vec2::Zero(), pose.centre, contact->depth});
+            const Vec2 velocity =
+                placed.velocity_at(contact->point) - (wall.velocity + cross(wall.spin, contact->point));
+            if (!may_overlap_moving_wall(piece, *contact, velocity)) overlaps_.blocked[Grains::at(k)] = 1;
+        }
+    }
+}
+
+/// The moving-floor rule: a grain may overlap a moving wall while it recedes from it. [HN94, sec. 3.7.2]
+bool TrialCheck::may_overlap_moving_wall(const PlacedPiece& piece, const ContactGeometry& contact,
+                                         const Vec2& velocity) const {
+    return piece.moves && velocity.dot(contact.normal) >= 0.0;
+}
+
+void TrialCheck::check_pairs(const TrialConfiguration& configuration, const Grains& grains) {
+    pairs_.update(configuration.current_centre, configuration.trial_centre);
+    for (const auto& [a, b] : pairs_.pairs()) {
+        const std::size_t i = Grains::at(a);
+        const std::size_t j = Grains::at(b);
+        const double reach = pairs_.radius(a) + pairs_.radius(b);
+        const Shape& shape_a = scene_.shape_of(a);
+        const Shape& shape_b = scene_.shape_of(b);
+        if (circles_meet(configuration.trial_centre[i], configuration.trial_centre[j], reach) &&
+            overlap(shape_a, configuration.trial[i], shape_b, configuration.trial[j])) {
+            overlaps_.conflicts.emplace_back(a, b);
+            const auto contact = contact_between(scene_, grains, a, configuration.trial[i], b, configuration.trial[j]);
+            if (contact) found_.push_back(*contact);
+        }
+        if (circles_meet(configuration.current_centre[i], configuration.trial_centre[j], reach) &&
+            overlap(shape_a, configuration.current[i], shape_b, configuration.trial[j])) {
+            overlaps_.order.emplace_back(a, b);
+        }
+        if (circles_meet(configuration.trial_centre[i], configuration.current_centre[j], reach) &&
+            overlap(shape_a, configuration.trial[i], shape_b, configuration.current[j])) {
+            overlaps_.order.emplace_back(b, a);
+        }
+    }
+}
+
+void TrialCheck::record(const TrialConfiguration& configuration, const Grains& grains,
+                        const std::vector<char>& rejected, std::vector<RecordedContact>& contacts) const {
+    contacts = found_;
+    std::sort(contacts.begin(), contacts.end(), by_bodies);
+    const std::size_t sorted = contacts.size();
+    // A grain rejected for the sake of one that stays has run into that one's current pose.
+    for (const auto& [stays, dependant] : overlaps_.order) {
+        if (!rejected[Grains::at(stays)] || !rejected[Grains::at(dependant)]) continue;
+        const RecordedContact key{std::min(stays, dependant), std::max(stays, dependant)};
+        const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(sorted);
+        if (std::binary_search(contacts.begin(), end, key, by_bodies)) continue;
+        const bool first_stays = stays < dependant;
+        const auto contact = contact_between(
+            scene_, grains, key.a, (first_stays ? configuration.current : configuration.trial)[Grains::at(key.a)],
+            key.b, (first_stays ? configuration.trial : configuration.current)[Grains::at(key.b)]);
+        if (contact) contacts.push_back(*contact);
+    }
+    std::stable_sort(contacts.begin(), contacts.end(), by_bodies);
+}
+
+}  // namespace polargrain

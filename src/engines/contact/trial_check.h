@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "src/detect/contact_finder.h"
+#include "src/detect/pair_list.h"
+#include "src/engines/contact/motion_update.h"
+#include "src/engines/contact/recorded_contact.h"
+#include "src/engines/contact/wall_pieces.h"
+#include "src/model/scene.h"
+
+namespace polargrain {
+
+/// Where every grain is and where free flight would take it. [HN94, eqs. 47-52]
+struct TrialConfiguration {
+    std::vector<Pose> current, trial;
+    std::vector<Vec2> current_centre, trial_centre;
+    std::vector<double> trial_angle;
+};
+
+/// x' = x + v dt + g dt^2 / 2, theta' = theta + w dt; v' = v + g dt goes into the grains at once, as a rejected grain
+/// keeps it too.
+void take_trial(Grains& grains, const Vec2& gravity, double dt, TrialConfiguration& configuration);
+
+/// Checks a trial configuration: what overlaps, who depends on whom, and through which contacts. [HN94, Fig. 8, 1-2]
+class TrialCheck {
+public:
+    explicit TrialCheck(const Scene& scene);
+
+    /// Velocities are those after the trial. trial_time: when the trial poses are reached, for moving walls.
+    void run(const TrialConfiguration& configuration, const Grains& grains, double trial_time);
+
+    const TrialOverlaps& overlaps() const { return overlaps_; }
+
+    /// Contacts for the next step's contact stage, sorted by (a, b): all trial overlaps, and for every rejected grain
+    /// the grain that it would have run into.
+    void record(const TrialConfiguration& configuration, const Grains& grains, const std::vector<char>& rejected,
+                std::vector<RecordedContact>& contacts) const;
+
+private:
+    void check_walls(const TrialConfiguration& configuration, const Grains& grains, double trial_time);
+    void check_pairs(const TrialConfiguration& configuration, const Grains& grains);
+    bool may_overlap_moving_wall(const PlacedPiece& piece, const ContactGeometry& contact, const Vec2& velocity) const;
+
+    const Scene& scene_;
+    PairList pairs_;
+    std::vector<PlacedPiece> pieces_;
+    std::vector<Motion> wall_motions_;
+    TrialOverlaps overlaps_;
+    std::vector<RecordedContact> found_;  ///< of all trial overlaps, with walls and among grains
+};
+
+}  // namespace polargrain

@@ -1,0 +1,88 @@
+#include "tests/support/scenes.h"
+
+#include <cmath>
+
+#include "shapes/shape_spec.h"
+#include "src/core/random.h"
+
+namespace polargrain::testing {
+
+Scene empty_scene(double restitution, double friction, double gravity) {
+    Scene scene;
+    scene.materials.add({"stone", 2000.0, {restitution, 0.0}, friction});
+    scene.gravity = {0.0, -gravity};
+    return scene;
+}
+
+void add_wall(Scene& scene, const std::string& name, std::vector<Vec2> points, WallMotion motion) {
+    scene.walls.push_back({name, 0, std::move(points), std::move(motion), std::nullopt});
+}
+
+void add_box(Scene& scene, double width, double height) {
+    add_wall(scene, "box", {{0.0, height}, {0.0, 0.0}, {width, 0.0}, {width, height}});
+}
+
+namespace {
+
+ShapeIndex add_spec(Scene& scene, const std::string& name, const ShapeSpec& spec, std::uint64_t draw = 0) {
+    return scene.add(std::make_shared<const Shape>(make_shape(name, spec, scene.seed, draw)));
+}
+
+}  // namespace
+
+ShapeIndex add_rectangle(Scene& scene, double width, double height) {
+    return add_spec(scene, "rectangle", RectangleSpec{width, height, 4});
+}
+
+ShapeIndex add_disk(Scene& scene, double radius) { return add_spec(scene, "disk", DiskSpec{radius}); }
+
+ShapeIndex add_star(Scene& scene, double radius, double inner_radius, int points) {
+    return add_spec(scene, "star", StarSpec{radius, inner_radius, points});
+}
+
+ShapeIndex add_stick(Scene& scene, double length, double width) {
+    return add_spec(scene, "stick", StickSpec{length, width, 16});
+}
+
+ShapeIndex add_rough(Scene& scene, double radius, double roughness, std::uint64_t draw) {
+    RoughSpec spec;
+    spec.radius = radius;
+    spec.roughness = roughness;
+    return add_spec(scene, "rough", spec, draw);
+}
+
+Scene pour(PourShape shape, int n, std::uint64_t seed, double restitution, double friction, int columns) {
+    const double d = 0.02;
+    Scene scene = empty_scene(restitution, friction);
+    scene.seed = seed;
+    const double width = columns * d;
+    const double pitch = 1.35 * d;
+    const int per_row = static_cast<int>((width - 0.1 * d) / pitch);
+    const int rows = (n + per_row - 1) / per_row;
+    add_box(scene, width, (rows + 2) * pitch + width);
+    RandomStream random(seed, RandomPurpose::test);
+    const ShapeIndex disk = shape == PourShape::disk || shape == PourShape::mixed ? add_disk(scene, 0.5 * d) : -1;
+    const ShapeIndex star =
+        shape == PourShape::star || shape == PourShape::mixed ? add_star(scene, 0.6 * d, 0.25 * d, 5) : -1;
+    const ShapeIndex stick =
+        shape == PourShape::stick || shape == PourShape::mixed ? add_stick(scene, 1.3 * d, 0.3 * d) : -1;
+    for (int k = 0; k < n; ++k) {
+        Grain grain;
+        const int kind = shape == PourShape::mixed ? k % 4 : static_cast<int>(shape);
+        if (kind == static_cast<int>(PourShape::rough)) {
+            grain.shape = add_rough(scene, 0.5 * d, 0.2, static_cast<std::uint64_t>(k));
+        } else {
+            grain.shape = kind == static_cast<int>(PourShape::disk)   ? disk
+                          : kind == static_cast<int>(PourShape::star) ? star
+                                                                      : stick;
+        }
+        const double margin = 0.5 * (width - (per_row - 1) * pitch);
+        grain.position = {margin + (k % per_row) * pitch, d + (k / per_row) * pitch};
+        grain.angle = random.uniform(-k_pi, k_pi);
+        grain.velocity = {0.1 * random.normal(), 0.1 * random.normal()};
+        scene.add(grain);
+    }
+    return scene;
+}
+
+}  // namespace polargrain::testing
