@@ -55,8 +55,9 @@ void PolarPolygon::check_star_shape() const {
 }
 
 void PolarPolygon::build_sector_table() {
-    const int bins = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(size_, 8))));
-    first_in_bin_.resize(static_cast<std::size_t>(bins));
+    const bool wide = size_ > k_narrow;
+    bins_ = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(2 * size_, 16))));
+    sectors_.reserve(static_cast<std::size_t>(wide ? 2 * bins_ : bins_));
     // The sector that holds direction 0; as no sector reaches half a turn, exactly one passes.
     const Vec2 ahead{1.0, 0.0};
     int sector = 0;
@@ -64,15 +65,16 @@ void PolarPolygon::build_sector_table() {
         ++sector;
         PG_ASSERT(sector < size_, "no sector of {} holds direction 0", name_);
     }
-    for (int b = 0; b < bins; ++b) {
+    for (int b = 0; b < bins_; ++b) {
         // Direction at the lower bound of the bin, the inverse of pseudo_angle.
-        const double a = 4.0 * b / bins;
+        const double a = 4.0 * b / bins_;
         const Vec2 direction =
             a < 2.0 ? Vec2(1.0 - a, 1.0 - std::abs(1.0 - a)) : Vec2(a - 3.0, -(1.0 - std::abs(a - 3.0)));
         for (int tries = 0; tries < size_ && cross(vertex(next(sector)), direction) >= 0.0; ++tries) {
             sector = next(sector);
         }
-        first_in_bin_[static_cast<std::size_t>(b)] = static_cast<std::uint16_t>(sector);
+        sectors_.push_back(static_cast<std::uint8_t>(sector & 0xff));
+        if (wide) sectors_.push_back(static_cast<std::uint8_t>(sector >> 8));
     }
 }
 

@@ -72,10 +72,13 @@ public:
     PolarPolygon scaled(double factor, std::string name) const;
 
 private:
+    static constexpr int k_narrow = 256;  // so many sectors can be told apart by a byte
+
     void fill_tables(std::span<const Vec2> vertices);
     void check_star_shape() const;
     void build_sector_table();
     static double pseudo_angle(const Vec2& p);
+    int first_in_bin(int bin) const;
 
     std::ptrdiff_t stride() const { return size_ + 1; }
     const double* normal_x() const { return data_.data() + 2 * stride(); }
@@ -83,9 +86,10 @@ private:
 
     std::string name_;
     int size_ = 0;
+    int bins_ = 0;
     double area_ = 0.0, polar_moment_ = 0.0, outer_radius_ = 0.0, inner_radius_ = 0.0;
-    std::vector<double> data_;                 // x, y, normal x, normal y, each size_ + 1 long
-    std::vector<std::uint16_t> first_in_bin_;  // pseudo-angle bin -> sector that holds its lower bound
+    std::vector<double> data_;           // x, y, normal x, normal y, each size_ + 1 long
+    std::vector<std::uint8_t> sectors_;  // see first_in_bin; a byte a bin, or two where a byte is too short
 };
 
 // Rises with the angle from 0 at the positive x axis to 4 after a full turn (the "diamond angle").
@@ -96,12 +100,17 @@ inline double PolarPolygon::pseudo_angle(const Vec2& p) {
     return p.y() >= 0.0 ? 1.0 - t : 3.0 + t;
 }
 
+// Sector that holds the lower bound of a bin of the pseudo-angle.
+inline int PolarPolygon::first_in_bin(int bin) const {
+    const auto b = static_cast<std::size_t>(bin);
+    return size_ <= k_narrow ? sectors_[b] : sectors_[2 * b] | (sectors_[2 * b + 1] << 8);
+}
+
 inline int PolarPolygon::sector_of(const Vec2& p) const {
-    const int bins = static_cast<int>(first_in_bin_.size());
-    const int bin = std::min(static_cast<int>(pseudo_angle(p) * (0.25 * bins)), bins - 1);
+    const int bin = std::min(static_cast<int>(pseudo_angle(p) * (0.25 * bins_)), bins_ - 1);
     const double* px = x();
     const double* py = y();
-    int q = first_in_bin_[static_cast<std::size_t>(bin)];
+    int q = first_in_bin(bin);
     // Forward while p lies on or beyond the far ray of the sector. Bounded, for p = 0 and for slivers.
     for (int tries = 0; tries < size_ && px[q + 1] * p.y() - py[q + 1] * p.x() >= 0.0; ++tries) q = next(q);
     // Round-off can place a point just short of a ray one bin too far.
