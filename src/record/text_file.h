@@ -31,4 +31,7 @@ private:
     std::unique_ptr<std::FILE, Closer> file_;
 };
 
+/// The text as one field of a CSV row, in quotes where it holds a comma, a quote or a line break (RFC 4180).
+std::string csv_field(std::string_view text);
+
 }  // namespace polargrain

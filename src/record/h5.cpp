@@ -1,0 +1,290 @@
+#include "src/record/h5.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace polargrain::h5 {
+
+namespace {
+
+/// Walks from the call of ours to where it went wrong; the last one visited knows best.
+herr_t keep_description(unsigned /*level*/, const H5E_error2_t* error, void* text) {
+    if (error->desc != nullptr && *error->desc != '\0') *static_cast<std::string*>(text) = error->desc;
+    return 0;
+}
+
+Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "create a property list"}; }
+
+Handle untimed(hid_t kind) {
+    Handle list = property_list(kind);
+    check(H5Pset_obj_track_times(list.id(), false), "leave times out");
+    return list;
+}
+
+Handle simple_space(const Size& size) {
+    return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "describe an extent"};
+}
+
+Handle text_type() {
+    Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "describe a text");
+    check(H5Tset_size(type.id(), H5T_VARIABLE), "describe a text");
+    check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "describe a text");
+    return type;
+}
+
+Handle open_attribute(hid_t object, const std::string& name) {
+    return {H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "read attribute " + name};
+}
+
+void put_attribute(hid_t object, const std::string& name, hid_t type, const Handle& space, const void* values) {
+    const std::string doing = "write attribute " + name;
+    const Handle attribute(H5Acreate2(object, name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                           doing);
+    check(H5Awrite(attribute.id(), type, values), doing);
+}
+
+Size extent(hid_t space) {
+    const int rank = H5Sget_simple_extent_ndims(space);
+    check(rank, "read an extent");
+    Size size(static_cast<std::size_t>(rank));
+    check(H5Sget_simple_extent_dims(space, size.data(), nullptr), "read an extent");
+    return size;
+}
+
+std::size_t product(const Size& size) {
+    return static_cast<std::size_t>(std::accumulate(size.begin(), size.end(), hsize_t{1}, std::multiplies<>()));
+}
+
+Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose, "describe an extent"}; }
+
+Handle open_dataset(hid_t parent, const std::string& name) {
+    return {H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "read dataset " + name};
+}
+
+Handle space_of(const Handle& dataset) { return {H5Dget_space(dataset.id()), H5Sclose, "read an extent"}; }
+
+/// Selects rows along the first axis of a file space whose extent is `size`.
+void select_rows(const Handle& space, const Size& size, hsize_t first, hsize_t count) {
+    Size start(size.size(), 0);
+    Size block = size;
+    start[0] = first;
+    block[0] = count;
+    check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, block.data(), nullptr), "select rows");
+}
+
+/// About 8 kB: small enough to be written whole at each flush, large enough not to drown in book-keeping.
+hsize_t rows_per_chunk(std::size_t row_bytes) {
+    constexpr std::size_t k_chunk_bytes = 8192;
+    return std::max<hsize_t>(1, k_chunk_bytes / std::max<std::size_t>(1, row_bytes));
+}
+
+}  // namespace
+
+void check(std::int64_t result, const std::string& doing) {
+    if (result >= 0) return;
+    std::string reason;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_description, &reason);
+    throw Failure(fmt::format("cannot {}: {}", doing, reason));
+}
+
+Handle::Handle(hid_t id, Close closer, const std::string& doing) : id_(id), close_(closer) { check(id, doing); }
+
+void Handle::reset() {
+    if (id_ >= 0) close_(std::exchange(id_, -1));
+}
+
+void Handle::close(const std::string& doing) {
+    if (id_ >= 0) check(close_(std::exchange(id_, -1)), doing);
+}
+
+Handle create_file(const std::string& path) {
+    // Errors are thrown, with the file's name; the library's own print-out would only precede them.
+    check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "set up");
+    const Handle access = property_list(H5P_FILE_ACCESS);
+    // Version 1.8 of the format has no mark "open for writing", which would lock out readers after a kill.
+    check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18), "choose the format");
+    const Handle creation = untimed(H5P_FILE_CREATE);
+    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, "create the file"};
+}
+
+Handle open_file(const std::string& path) {
+    check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "set up");
+    return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file"};
+}
+
+Handle create_group(hid_t parent, const std::string& name) {
+    const Handle creation = untimed(H5P_GROUP_CREATE);
+    return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Gclose,
+            "create group " + name};
+}
+
+Handle open_group(hid_t parent, const std::string& name) {
+    return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "read group " + name};
+}
+
+std::vector<std::string> names_in(hid_t group) {
+    H5G_info_t info;
+    check(H5Gget_info(group, &info), "list a group");
+    std::vector<std::string> names;
+    for (hsize_t k = 0; k < info.nlinks; ++k) {
+        const auto name_at = [&](char* text, std::size_t size) {
+            return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, k, text, size, H5P_DEFAULT);
+        };
+        const ssize_t length = name_at(nullptr, 0);
+        check(length, "list a group");
+        std::string name(static_cast<std::size_t>(length) + 1, '\0');
+        check(name_at(name.data(), name.size()), "list a group");
+        name.pop_back();
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+bool has_attribute(hid_t object, const std::string& name) { return H5Aexists(object, name.c_str()) > 0; }
+
+void put_text(hid_t object, const std::string& name, const std::string& value) {
+    const char* text = value.c_str();
+    put_attribute(object, name, text_type().id(), scalar_space(), static_cast<const void*>(&text));
+}
+
+void put_texts(hid_t object, const std::string& name, const std::vector<std::string>& values) {
+    std::vector<const char*> texts;
+    for (const std::string& value : values) texts.push_back(value.c_str());
+    put_attribute(object, name, text_type().id(), simple_space({values.size()}),
+                  static_cast<const void*>(texts.data()));
+}
+
+std::string text(hid_t object, const std::string& name) {
+    const Handle attribute = open_attribute(object, name);
+    const Handle type = text_type();
+    char* value = nullptr;
+    check(H5Aread(attribute.id(), type.id(), static_cast<void*>(&value)), "read attribute " + name);
+    std::string copy = value != nullptr ? value : "";
+    H5free_memory(value);
+    return copy;
+}
+
+template <typename T>
+void put_number(hid_t object, const std::string& name, T value) {
+    put_attribute(object, name, memory_type<T>(), scalar_space(), &value);
+}
+
+template <typename T>
+void put_numbers(hid_t object, const std::string& name, std::span<const T> values) {
+    put_attribute(object, name, memory_type<T>(), simple_space({values.size()}), values.data());
+}
+
+template <typename T>
+T number(hid_t object, const std::string& name) {
+    return numbers<T>(object, name).at(0);
+}
+
+template <typename T>
+std::vector<T> numbers(hid_t object, const std::string& name) {
+    const Handle attribute = open_attribute(object, name);
+    const Handle space(H5Aget_space(attribute.id()), H5Sclose, "read an extent");
+    std::vector<T> values(product(extent(space.id())));
+    check(H5Aread(attribute.id(), memory_type<T>(), values.data()), "read attribute " + name);
+    return values;
+}
+
+template <typename T>
+Handle put_data(hid_t parent, const std::string& name, std::span<const T> values, const Size& size) {
+    const std::string doing = "write dataset " + name;
+    const Handle creation = untimed(H5P_DATASET_CREATE);
+    const Handle space = simple_space(size);
+    Handle dataset(
+        H5Dcreate2(parent, name.c_str(), memory_type<T>(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+        H5Dclose, doing);
+    if (!values.empty()) {
+        check(H5Dwrite(dataset.id(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), doing);
+    }
+    return dataset;
+}
+
+template <typename T>
+std::vector<T> data(hid_t parent, const std::string& name, Size* size) {
+    const Handle dataset = open_dataset(parent, name);
+    const Size found = extent(space_of(dataset).id());
+    if (size != nullptr) *size = found;
+    std::vector<T> values(product(found));
+    if (values.empty()) return values;
+    check(H5Dread(dataset.id(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          "read dataset " + name);
+    return values;
+}
+
+template <typename T>
+std::vector<T> rows(hid_t parent, const std::string& name, hsize_t first, hsize_t count) {
+    const Handle dataset = open_dataset(parent, name);
+    const Handle space = space_of(dataset);
+    Size size = extent(space.id());
+    if (first + count > size.at(0)) {
+        throw Failure(
+            fmt::format("cannot read rows {} to {} of dataset {}: it has {}", first, first + count, name, size[0]));
+    }
+    select_rows(space, size, first, count);
+    size[0] = count;
+    std::vector<T> values(product(size));
+    if (values.empty()) return values;
+    const Handle memory = simple_space(size);
+    check(H5Dread(dataset.id(), memory_type<T>(), memory.id(), space.id(), H5P_DEFAULT, values.data()),
+          "read dataset " + name);
+    return values;
+}
+
+template <typename T>
+Growing<T>::Growing(hid_t parent, const std::string& name, Size row) : size_(std::move(row)) {
+    size_.insert(size_.begin(), 1);
+    const std::size_t row_length = product(size_);
+    size_[0] = 0;
+    // An axis of no grains still needs room for a chunk of one.
+    Size most = size_, chunk = size_;
+    for (std::size_t axis = 1; axis < size_.size(); ++axis)
+        most[axis] = chunk[axis] = std::max<hsize_t>(1, size_[axis]);
+    most[0] = H5S_UNLIMITED;
+    chunk[0] = rows_per_chunk(row_length * sizeof(T));
+    const Handle creation = untimed(H5P_DATASET_CREATE);
+    const int rank = static_cast<int>(size_.size());
+    check(H5Pset_chunk(creation.id(), rank, chunk.data()), "cut dataset " + name + " into chunks");
+    const Handle space(H5Screate_simple(rank, size_.data(), most.data()), H5Sclose, "describe an extent");
+    dataset_ =
+        Handle(H5Dcreate2(parent, name.c_str(), memory_type<T>(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+               H5Dclose, "create dataset " + name);
+}
+
+template <typename T>
+void Growing<T>::append(std::span<const T> values) {
+    Size added = size_;
+    added[0] = 1;
+    const std::size_t row_length = product(added);
+    added[0] = row_length > 0 ? values.size() / row_length : 1;
+    if (added[0] == 0) return;
+    const hsize_t first = size_[0];
+    size_[0] += added[0];
+    check(H5Dset_extent(dataset_.id(), size_.data()), "append to a dataset");
+    if (values.empty()) return;
+    const Handle space = space_of(dataset_);
+    select_rows(space, size_, first, added[0]);
+    const Handle memory = simple_space(added);
+    check(H5Dwrite(dataset_.id(), memory_type<T>(), memory.id(), space.id(), H5P_DEFAULT, values.data()),
+          "append to a dataset");
+}
+
+#define POLARGRAIN_H5_FOR(T)                                                                 \
+    template void put_number<T>(hid_t, const std::string&, T);                               \
+    template void put_numbers<T>(hid_t, const std::string&, std::span<const T>);             \
+    template T number<T>(hid_t, const std::string&);                                         \
+    template std::vector<T> numbers<T>(hid_t, const std::string&);                           \
+    template Handle put_data<T>(hid_t, const std::string&, std::span<const T>, const Size&); \
+    template std::vector<T> data<T>(hid_t, const std::string&, Size*);                       \
+    template std::vector<T> rows<T>(hid_t, const std::string&, hsize_t, hsize_t);            \
+    template class Growing<T>;
+POLARGRAIN_H5_FOR(double)
+POLARGRAIN_H5_FOR(std::int32_t)
+POLARGRAIN_H5_FOR(std::int64_t)
+#undef POLARGRAIN_H5_FOR
+
+}  // namespace polargrain::h5

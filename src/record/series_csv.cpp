@@ -1,0 +1,83 @@
+#include "src/record/series_csv.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "src/run/observables.h"
+
+namespace polargrain {
+
+namespace {
+
+constexpr const char* k_columns =
+    "time,step,kinetic_translational,kinetic_rotational,potential,dissipated_normal,dissipated_friction,wall_work,"
+    "contacts,impacts,moves_rejected,moves_shortened,centre_of_mass_x,centre_of_mass_y,grains_in,grains_out,"
+    "energy_created,energy_rises";
+
+/// Zero for no grains.
+Vec2 centre_of_mass(const Grains& grains) {
+    Vec2 moment = Vec2::Zero();
+    double mass = 0.0;
+    for (GrainIndex k = 0; k < grains.size(); ++k) {
+        moment += grains.mass[Grains::at(k)] * grains.position(k);
+        mass += grains.mass[Grains::at(k)];
+    }
+    return mass > 0.0 ? Vec2(moment / mass) : moment;
+}
+
+}  // namespace
+
+SeriesCsv::SeriesCsv(std::filesystem::path path, double every) : path_(std::move(path)), every_(every) {}
+
+void SeriesCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
+    std::string header = k_columns;
+    for (const Wall& wall : scene.walls) {
+        for (const char* quantity : {"fx", "fy", "torque"}) {
+            header += ',' + csv_field(fmt::format("wall_{}_{}", wall.name, quantity));
+        }
+    }
+    wall_sums_.assign(scene.walls.size(), {});
+    interval_ = 0.0;
+    file_.emplace(path_);
+    file_->write(header + '\n');
+    file_->flush();
+}
+
+void SeriesCsv::step(const World& /*world*/, double dt, const StepReport& report) {
+    interval_ += dt;
+    for (std::size_t w = 0; w < wall_sums_.size(); ++w) {
+        wall_sums_[w].linear += report.walls[w].linear;
+        wall_sums_[w].angular += report.walls[w].angular;
+    }
+}
+
+void SeriesCsv::sample(const Sample& sample) {
+    const Energy now = energy(sample.world.grains, sample.scene.gravity);
+    const Totals& totals = sample.totals;
+    const Vec2 centre = centre_of_mass(sample.world.grains);
+    const GrainIndex out = count_out(sample.scene, sample.world.grains);
+    std::string row =
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", sample.world.time, sample.world.step,
+                    now.translational, now.rotational, now.potential, totals.ledger.restitution_loss,
+                    totals.ledger.friction_loss, totals.ledger.wall_work, sample.report.contacts.size(), totals.impacts,
+                    totals.moves.rejected, totals.moves.shortened, centre.x(), centre.y(),
+                    sample.world.grains.size() - out, out, totals.ledger.created, totals.ledger.rises);
+    append_walls(row);
+    file_->write(row + '\n');
+    file_->flush();
+}
+
+void SeriesCsv::append_walls(std::string& row) {
+    const double per_second = interval_ > 0.0 ? 1.0 / interval_ : 0.0;
+    for (WallImpulse& sum : wall_sums_) {
+        fmt::format_to(std::back_inserter(row), ",{},{},{}", sum.linear.x() * per_second, sum.linear.y() * per_second,
+                       sum.angular * per_second);
+        sum = {};
+    }
+    interval_ = 0.0;
+}
+
+void SeriesCsv::end() { file_->close(); }
+
+}  // namespace polargrain

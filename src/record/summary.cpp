@@ -1,0 +1,88 @@
+#include "src/record/summary.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "src/core/error.h"
+#include "src/record/text_file.h"
+
+namespace polargrain {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json moves_of(const MoveCount& moves) {
+    return {{"tried", moves.tried},
+            {"accepted", moves.accepted()},
+            {"shortened", moves.shortened},
+            {"rejected", moves.rejected}};
+}
+
+Json parts_of(const Energy& energy) {
+    return {{"kinetic_translational", energy.translational},
+            {"kinetic_rotational", energy.rotational},
+            {"potential", energy.potential},
+            {"total", energy.total()}};
+}
+
+Json ledger_of(const Summary& summary) {
+    const EnergyLedger& ledger = summary.totals.ledger;
+    const double booked = ledger.wall_work + ledger.created - ledger.restitution_loss - ledger.friction_loss;
+    return {{"initial", parts_of(summary.initial)},
+            {"final", parts_of(summary.final_energy)},
+            {"dissipated_normal", ledger.restitution_loss},
+            {"dissipated_friction", ledger.friction_loss},
+            {"wall_work", ledger.wall_work},
+            {"created", ledger.created},
+            {"rises", ledger.rises},
+            {"unaccounted", summary.final_energy.total() - summary.initial.total() - booked}};
+}
+
+double mean_contacts(const Totals& totals) {
+    return totals.steps > 0 ? static_cast<double>(totals.contact_sum) / static_cast<double>(totals.steps) : 0.0;
+}
+
+Json to_json(const Summary& summary) {
+    return {{"title", summary.title},
+            {"source", summary.source},
+            {"engine", summary.engine},
+            {"version", summary.version},
+            {"build_flags", summary.build_flags},
+            {"seed", summary.seed},
+            {"threads", summary.threads},
+            {"completed", summary.completed},
+            {"steps", summary.steps},
+            {"time_step", summary.time_step},
+            {"simulated_seconds", summary.simulated_seconds},
+            {"cpu_seconds", summary.cpu_seconds},
+            {"wall_seconds", summary.wall_seconds},
+            {"grains", summary.grains},
+            {"grains_out", summary.grains_out},
+            {"mean_contacts", mean_contacts(summary.totals)},
+            {"impacts", summary.totals.impacts},
+            {"moves", moves_of(summary.totals.moves)},
+            {"deepest_overlap", summary.totals.deepest},
+            {"energy", ledger_of(summary)},
+            {"state_hash", summary.state_hash},
+            {"observables", Json(summary.observables)}};
+}
+
+}  // namespace
+
+void write_summary(const std::filesystem::path& path, const Summary& summary) {
+    std::filesystem::path unfinished = path;
+    unfinished += ".part";
+    TextFile file(unfinished);
+    file.write(to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    file.close();
+    std::error_code failed;
+    std::filesystem::rename(unfinished, path, failed);
+    if (failed) {
+        throw RunError(fmt::format("{}: cannot put the summary in place: {}", path.string(), failed.message()));
+    }
+}
+
+}  // namespace polargrain

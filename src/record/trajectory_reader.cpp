@@ -1,0 +1,195 @@
+#include "src/record/trajectory_reader.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "src/core/error.h"
+#include "src/record/h5.h"
+#include "src/record/trajectory_layout.h"
+
+namespace polargrain {
+
+namespace {
+
+using h5::Handle;
+
+std::vector<Vec2> paired(std::span<const double> numbers) {
+    std::vector<Vec2> points;
+    for (std::size_t k = 0; k + 1 < numbers.size(); k += 2) points.emplace_back(numbers[k], numbers[k + 1]);
+    return points;
+}
+
+/// The groups of a folder in the order of their attribute `index`.
+std::vector<Handle> by_index(hid_t file, const char* folder) {
+    const Handle group = h5::open_group(file, folder);
+    const std::vector<std::string> names = h5::names_in(group.id());
+    std::vector<Handle> ordered(names.size());
+    for (const std::string& name : names) {
+        Handle entry = h5::open_group(group.id(), name);
+        const auto index = h5::number<std::int32_t>(entry.id(), "index");
+        ordered.at(static_cast<std::size_t>(index)) = std::move(entry);
+    }
+    return ordered;
+}
+
+Shape read_shape(hid_t group) {
+    std::string name = h5::text(group, "name");
+    if (h5::has_attribute(group, "radius")) return Disk(std::move(name), h5::number<double>(group, "radius"));
+    MassProperties mass;
+    mass.area = h5::number<double>(group, "area");
+    mass.polar_moment = h5::number<double>(group, "polar_moment");
+    return PolarPolygon(std::move(name), paired(h5::data<double>(group, "vertices")), mass);
+}
+
+Material read_material(hid_t group) {
+    return {h5::text(group, "name"),
+            h5::number<double>(group, "density"),
+            {h5::number<double>(group, "restitution_mean"), h5::number<double>(group, "restitution_stddev")},
+            h5::number<double>(group, "friction")};
+}
+
+Wall read_wall(hid_t group) {
+    Wall wall;
+    wall.name = h5::text(group, "name");
+    wall.material = h5::number<std::int32_t>(group, "material");
+    wall.points = paired(h5::data<double>(group, "points"));
+    if (h5::has_attribute(group, "remove_at")) wall.remove_at = h5::number<double>(group, "remove_at");
+    return wall;
+}
+
+std::string path_in(const char* folder, const char* name) { return fmt::format("{}/{}", folder, name); }
+
+}  // namespace
+
+class TrajectoryReader::File {
+public:
+    explicit File(const std::filesystem::path& from) : path(from), file_(h5::open_file(from.string())) {
+        const Handle ours = h5::open_group(file_.id(), layout::k_ours);
+        const auto version = h5::number<std::int32_t>(ours.id(), "layout_version");
+        if (version != layout::k_version) {
+            throw h5::Failure(fmt::format("layout version {}, this program reads {}", version, layout::k_version));
+        }
+        title = h5::text(ours.id(), "title");
+        source = h5::text(ours.id(), "source");
+        engine = h5::text(ours.id(), "engine");
+        const Handle creator = h5::open_group(file_.id(), "/h5md/creator");
+        writer_version = h5::text(creator.id(), "version");
+        read_scene(ours.id());
+        frames = static_cast<int>(h5::data<double>(file_.id(), path_in(layout::k_grains, "position/time")).size());
+        if (frames > 0) scene.grains = read_frame(0).world.grains;
+    }
+
+    StoredFrame read_frame(int f) const {
+        StoredFrame frame;
+        const auto row = static_cast<hsize_t>(f);
+        frame.world.time = row_of<double>(layout::k_grains, "position/time", row).at(0);
+        frame.world.step = row_of<std::int64_t>(layout::k_grains, "position/step", row).at(0);
+        frame.world.grains = grains_at(row);
+        for (std::size_t w = 0; w < walls_.size(); ++w) frame.wall_poses.push_back(wall_pose(w, row));
+        frame.contacts = contacts_at(row);
+        return frame;
+    }
+
+    std::filesystem::path path;
+    std::string title, source, engine, writer_version;
+    Scene scene;
+    int frames = 0;
+
+private:
+    template <typename T>
+    std::vector<T> row_of(const char* folder, const char* name, hsize_t row) const {
+        return h5::rows<T>(file_.id(), path_in(folder, name), row, 1);
+    }
+
+    void read_scene(hid_t ours) {
+        scene.gravity = paired(h5::numbers<double>(ours, "gravity")).at(0);
+        scene.seed = static_cast<std::uint64_t>(h5::number<std::int64_t>(ours, "seed"));
+        for (const Handle& group : by_index(file_.id(), layout::k_shapes)) {
+            scene.add(std::make_shared<const Shape>(read_shape(group.id())));
+        }
+        for (const Handle& group : by_index(file_.id(), layout::k_materials)) {
+            scene.materials.add(read_material(group.id()));
+        }
+        walls_ = by_index(file_.id(), layout::k_walls);
+        for (const Handle& group : walls_) scene.walls.push_back(read_wall(group.id()));
+        Grains& grains = scene.grains;
+        grains.mass = h5::data<double>(file_.id(), path_in(layout::k_grains, "mass"));
+        grains.inertia = h5::data<double>(file_.id(), path_in(layout::k_grains, "inertia"));
+        grains.shape = h5::data<std::int32_t>(file_.id(), path_in(layout::k_grains, "shape"));
+        grains.material = h5::data<std::int32_t>(file_.id(), path_in(layout::k_grains, "material"));
+    }
+
+    Grains grains_at(hsize_t row) const {
+        Grains grains = scene.grains;
+        const std::vector<Vec2> positions = paired(row_of<double>(layout::k_grains, "position/value", row));
+        const std::vector<Vec2> velocities = paired(row_of<double>(layout::k_grains, "velocity/value", row));
+        for (auto* values : {&grains.x, &grains.y, &grains.vx, &grains.vy}) values->resize(positions.size());
+        for (GrainIndex k = 0; k < static_cast<GrainIndex>(positions.size()); ++k) {
+            grains.set_position(k, positions[Grains::at(k)]);
+            grains.set_velocity(k, velocities[Grains::at(k)]);
+        }
+        grains.angle = row_of<double>(layout::k_grains, "angle/value", row);
+        grains.spin = row_of<double>(layout::k_grains, "spin/value", row);
+        return grains;
+    }
+
+    Pose wall_pose(std::size_t w, hsize_t row) const {
+        const hid_t group = walls_[w].id();
+        if (H5Lexists(group, "pose", H5P_DEFAULT) <= 0) return {};
+        const std::vector<double> pose = h5::rows<double>(group, "pose/value", row, 1);
+        return {{pose.at(0), pose.at(1)}, pose.at(2), pose.at(3)};
+    }
+
+    std::vector<Contact> contacts_at(hsize_t row) const {
+        const auto first = static_cast<hsize_t>(row_of<std::int64_t>(layout::k_contacts, "first", row).at(0));
+        const auto count = static_cast<hsize_t>(row_of<std::int64_t>(layout::k_contacts, "count", row).at(0));
+        const auto column = [&](const char* name) {
+            return h5::rows<double>(file_.id(), path_in(layout::k_contacts, name), first, count);
+        };
+        const auto bodies = h5::rows<std::int32_t>(file_.id(), path_in(layout::k_contacts, "bodies"), first, count);
+        const std::vector<double> gaps = column("gap");
+        const std::vector<Vec2> points = paired(column("point"));
+        const std::vector<Vec2> normals = paired(column("normal"));
+        const std::vector<Vec2> impulses = paired(column("impulse"));
+        std::vector<Contact> contacts;
+        for (std::size_t c = 0; c < count; ++c) {
+            contacts.push_back({bodies[2 * c], bodies[2 * c + 1], points[c], normals[c], gaps[c], impulses[c]});
+        }
+        return contacts;
+    }
+
+    Handle file_;
+    std::vector<Handle> walls_;
+};
+
+TrajectoryReader::TrajectoryReader(const std::filesystem::path& path) {
+    require(std::filesystem::exists(path), "{}: no such file; a run writes it unless [output] trajectory is 0",
+            path.string());
+    try {
+        file_ = std::make_unique<File>(path);
+    } catch (const h5::Failure& failure) {
+        throw InputError(fmt::format("{}: not a trajectory that polargrain wrote: {}", path.string(), failure.what()));
+    }
+}
+
+TrajectoryReader::~TrajectoryReader() = default;
+TrajectoryReader::TrajectoryReader(TrajectoryReader&&) noexcept = default;
+TrajectoryReader& TrajectoryReader::operator=(TrajectoryReader&&) noexcept = default;
+
+const std::string& TrajectoryReader::title() const { return file_->title; }
+const std::string& TrajectoryReader::source() const { return file_->source; }
+const std::string& TrajectoryReader::engine() const { return file_->engine; }
+const std::string& TrajectoryReader::version() const { return file_->writer_version; }
+const Scene& TrajectoryReader::scene() const { return file_->scene; }
+int TrajectoryReader::frames() const { return file_->frames; }
+
+StoredFrame TrajectoryReader::frame(int f) const {
+    try {
+        return file_->read_frame(f);
+    } catch (const h5::Failure& failure) {
+        throw RunError(fmt::format("{}: frame {}: {}", file_->path.string(), f, failure.what()));
+    }
+}
+
+}  // namespace polargrain
