@@ -24,14 +24,23 @@ struct ScenarioOverrides {
 /// remedy at the first thing that is wrong; has no side effects.
 Scenario load_scenario(const std::filesystem::path& path, const ScenarioOverrides& overrides = {});
 
+/// Every key that a scenario file takes, as "table.key"; where the keys of a table depend on its type, as
+/// "shapes.rectangle.width". For completion and for the test of docs/scenario.md.
+std::vector<std::string> known_scenario_keys();
+
 struct ScenarioEntry {
     std::string name;  ///< file name without .toml
     std::string title;
     std::filesystem::path path;
 };
 
-/// The folder of shipped scenarios, and what is in it, by name.
+/// The folder of shipped scenarios; InputError where it cannot be found.
+///
+/// Looked for as scenarios in the folder that the environment variable POLARGRAIN_DATA names; if that is not set, in
+/// the source tree from which the program was built, then in ../share/polargrain beside the program's folder.
 std::filesystem::path scenario_folder();
+
+/// What is in that folder, by name.
 std::vector<ScenarioEntry> shipped_scenarios();
 
 /// A file as given, or a shipped scenario by its bare name. InputError names the nearest shipped one otherwise.

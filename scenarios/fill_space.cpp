@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/fill.h"
+
+namespace polargrain {
+
+namespace {
+
+/// Cells of about a grain's size, but never many more cells than grains.
+double cell_size_for(const Vec2& extent, std::size_t count, double radius) {
+    const double number = 4.0 * static_cast<double>(count) + 16.0;
+    const double size = std::max(2.0 * radius, std::sqrt(extent.x() * extent.y() / number));
+    return std::max(size, extent.maxCoeff() / number);
+}
+
+int cells_along(double extent, double size) { return std::max(1, static_cast<int>(std::ceil(extent / size))); }
+
+bool within_box(const Vec2& centre, double radius, const WallPiece& piece) {
+    const Vec2 low = piece.a.cwiseMin(piece.b);
+    const Vec2 high = piece.a.cwiseMax(piece.b);
+    return (centre.array() + radius > low.array()).all() && (centre.array() - radius < high.array()).all();
+}
+
+}  // namespace
+
+FillSpace::FillSpace(const Vec2& lower, const Vec2& upper, std::span<const PlacedPiece> walls, std::size_t count,
+                     double radius)
+    : lower_(lower),
+      upper_(upper),
+      walls_(walls),
+      cell_size_(cell_size_for(upper - lower, count, radius)),
+      columns_(cells_along(upper.x() - lower.x(), cell_size_)),
+      rows_(cells_along(upper.y() - lower.y(), cell_size_)),
+      grains_in_cell_(cell(0, rows_)),
+      pieces_in_cell_(cell(0, rows_)) {
+    for (std::size_t k = 0; k < walls_.size(); ++k) {
+        const auto& [a, b] = walls_[k].piece;
+        const CellRange range = cells(a.cwiseMin(b), a.cwiseMax(b));
+        for (int y = range.y0; y <= range.y1; ++y) {
+            for (int x = range.x0; x <= range.x1; ++x) pieces_in_cell_[cell(x, y)].push_back(static_cast<int>(k));
+        }
+    }
+}
+
+FillSpace::CellRange FillSpace::cells(const Vec2& low, const Vec2& high) const {
+    const auto index = [&](double offset, int count) {
+        return static_cast<int>(std::clamp(std::floor(offset / cell_size_), 0.0, static_cast<double>(count - 1)));
+    };
+    return {index(low.x() - lower_.x(), columns_), index(low.y() - lower_.y(), rows_),
+            index(high.x() - lower_.x(), columns_), index(high.y() - lower_.y(), rows_)};
+}
+
+void FillSpace::add(std::shared_ptr<const Shape> shape, const Pose& pose) {
+    const double radius = outer_radius(*shape);
+    const Vec2 reach = Vec2::Constant(radius);
+    if (((pose.centre + reach).array() < lower_.array()).any()) return;
+    if (((pose.centre - reach).array() > upper_.array()).any()) return;
+    const int index = static_cast<int>(placed_.size());
+    placed_.push_back({std::move(shape), pose, radius});
+    const CellRange range = cells(pose.centre - reach, pose.centre + reach);
+    for (int y = range.y0; y <= range.y1; ++y) {
+        for (int x = range.x0; x <= range.x1; ++x) grains_in_cell_[cell(x, y)].push_back(index);
+    }
+}
+
+bool FillSpace::fits(const Shape& shape, const Pose& pose) const {
+    const double radius = outer_radius(shape);
+    const Vec2 reach = Vec2::Constant(radius);
+    if (((pose.centre - reach).array() < lower_.array()).any()) return false;
+    if (((pose.centre + reach).array() > upper_.array()).any()) return false;
+    const CellRange range = cells(pose.centre - reach, pose.centre + reach);
+    for (int y = range.y0; y <= range.y1; ++y) {
+        for (int x = range.x0; x <= range.x1; ++x) {
+            for (const int index : grains_in_cell_[cell(x, y)]) {
+                const Placed& other = placed_[static_cast<std::size_t>(index)];
+                const double near = radius + other.radius;
+                if ((other.pose.centre - pose.centre).squaredNorm() >= near * near) continue;
+                if (overlap(shape, pose, *other.shape, other.pose)) return false;
+            }
+        }
+    }
+    return clear_of_walls(shape, pose, radius, range) && !behind_walls(walls_, pose.centre);
+}
+
+bool FillSpace::clear_of_walls(const Shape& shape, const Pose& pose, double radius, const CellRange& range) const {
+    for (int y = range.y0; y <= range.y1; ++y) {
+        for (int x = range.x0; x <= range.x1; ++x) {
+            for (const int index : pieces_in_cell_[cell(x, y)]) {
+                const WallPiece& piece = walls_[static_cast<std::size_t>(index)].piece;
+                if (within_box(pose.centre, radius, piece) && overlap(shape, pose, piece)) return false;
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace polargrain

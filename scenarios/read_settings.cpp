@@ -1,0 +1,154 @@
+#include <cmath>
+
+#include "scenarios/sections.h"
+#include "scenarios/toml_text.h"
+#include "src/core/elementary.h"
+
+namespace polargrain {
+
+namespace {
+
+constexpr std::int64_t k_largest_seed = 9'007'199'254'740'992;  // 2^53: every tool that reads the file keeps it exact
+constexpr NumberRange k_seconds{1e-9, 1e6, false, "a positive number of seconds (1e-9 to 1e6)"};
+constexpr NumberRange k_interval{0.0, 1e6, false, "zero (off) or a positive number of seconds (up to 1e6)"};
+
+const std::vector<std::string>& engine_names() {
+    static const std::vector<std::string> names = {"contact", "contact-1994", "box2d", "dem"};
+    return names;
+}
+
+const std::vector<std::string>& quantity_names() {
+    static const std::vector<std::string> names = {
+        "domino_speed",  "moves_rejected_percent",   "energy_created_ratio", "deepest_overlap",
+        "area_fraction", "kinetic_energy_per_grain", "grains_out",           "discharge_rate"};
+    return names;
+}
+
+std::optional<double> read_time_step(TableReader& run) {
+    const toml::node* node = run.raw("time_step");
+    if (node == nullptr || node->value<std::string>() == "critical") {
+        run.write("time_step", toml_text(std::string_view{"critical"}));
+        return {};
+    }
+    if (!node->is_number()) run.fail("time_step", "must be \"critical\" or a number of seconds; write one of these");
+    return run.number("time_step", k_seconds);
+}
+
+double read_every(TableReader& output, const std::string& key, double fallback) {
+    TableReader table = output.table(key, key_table("output." + key));
+    const double every = table.number("every", k_interval, fallback);
+    output.adopt(key, table);
+    return every;
+}
+
+std::optional<std::pair<Vec2, Vec2>> read_view(TableReader& frames) {
+    if (!frames.has("view")) {
+        frames.raw("view");
+        return {};
+    }
+    const std::vector<Vec2> corners = frames.points("view", 2);
+    if (corners.size() != 2 || !((corners[1] - corners[0]).minCoeff() > 0.0)) {
+        frames.fail("view",
+                    "must be the lower left and the upper right corner, [[x0, y0], [x1, y1]] with x1 > x0, y1 > y0");
+    }
+    return std::pair{corners[0], corners[1]};
+}
+
+FrameSettings read_frames(TableReader& output, const FrameSettings& defaults) {
+    static const std::vector<std::string> formats = {"png", "svg", "pdf"};
+    static const std::vector<std::string> colours = {"speed", "spin",     "angle", "kinetic_energy",
+                                                     "size",  "material", "none"};
+    TableReader table = output.table("frames", key_table("output.frames"));
+    FrameSettings frames;
+    frames.every = table.number("every", k_interval, defaults.every);
+    frames.format = table.choice("format", formats, defaults.format);
+    frames.width = static_cast<int>(table.integer("width", 16, 16384, defaults.width));
+    frames.height = static_cast<int>(table.integer("height", 0, 16384, defaults.height));
+    frames.colour = table.choice("colour", colours, defaults.colour);
+    frames.contacts = table.flag("contacts", defaults.contacts);
+    frames.view = read_view(table);
+    frames.colour_max = table.optional_number("colour_max", k_positive);
+    output.adopt("frames", table);
+    return frames;
+}
+
+}  // namespace
+
+void append_section(std::string& resolved, const std::string& header, const TableReader& table) {
+    table.finish();
+    resolved += "\n" + header + "\n" + table.resolved_lines();
+}
+
+void read_run(Reading& reading) {
+    TableReader table = reading.top.table("run", key_table("run"));
+    RunSettings& run = reading.scenario.run;
+    Scene& scene = reading.scenario.scene;
+    run.engine = table.choice("engine", engine_names(), std::string{k_default_engine});
+    run.duration = table.number("duration", k_seconds, run.duration);
+    run.time_step = read_time_step(table);
+    run.time_step_factor = table.number("time_step_factor", k_positive, run.time_step_factor);
+    const double gravity = table.number("gravity", k_not_negative, 9.81);
+    const double incline = table.number("incline", {-180.0, 180.0, false, "between -180 and 180 degrees"}, 0.0);
+    const auto [sine, cosine] = sine_cosine(incline * k_radians_per_degree);
+    scene.gravity = {gravity * sine, -gravity * cosine};
+    scene.seed = static_cast<std::uint64_t>(table.integer("seed", 0, k_largest_seed, 1));
+    scene.threads = static_cast<int>(table.integer("threads", 1, 1024, 1));
+    append_section(reading.resolved, "[run]", table);
+}
+
+void read_settle(Reading& reading) {
+    if (!reading.top.has("settle")) return;
+    TableReader table = reading.top.table("settle", key_table("settle"));
+    SettleSettings settle;
+    settle.until_energy = table.number("until_energy", k_positive, settle.until_energy);
+    settle.at_most = table.number("at_most", k_seconds, settle.at_most);
+    reading.scenario.settle = settle;
+    append_section(reading.resolved, "[settle]", table);
+}
+
+void read_output(Reading& reading) {
+    TableReader table = reading.top.table("output", key_table("output"));
+    OutputSettings& output = reading.scenario.output;
+    output.frames = read_frames(table, output.frames);
+    output.trajectory_every = read_every(table, "trajectory", output.trajectory_every);
+    output.series_every = read_every(table, "series", output.series_every);
+    output.impacts = table.flag("impacts", output.impacts);
+    TableReader checkpoint = table.table("checkpoint", key_table("output.checkpoint"));
+    output.checkpoint_every_wall = checkpoint.number("every_wall", k_interval, output.checkpoint_every_wall);
+    table.adopt("checkpoint", checkpoint);
+    append_section(reading.resolved, "[output]", table);
+}
+
+void read_expectations(Reading& reading) {
+    for (const TableItem& item : reading.top.array_of_tables("expect")) {
+        TableReader table(reading.document, item, key_table("expect"));
+        Expectation expectation;
+        expectation.quantity = table.choice("quantity", quantity_names());
+        expectation.min = table.optional_number("min", k_any_number);
+        expectation.max = table.optional_number("max", k_any_number);
+        if (!expectation.min && !expectation.max) {
+            throw InputError(item.where, item.path + ": has neither min nor max; give one of them, or both");
+        }
+        if (expectation.min && expectation.max && *expectation.min > *expectation.max) {
+            table.fail("max", fmt::format("is {}, less than min = {}; swap them", *expectation.max, *expectation.min));
+        }
+        expectation.unit = table.text("unit", "");
+        expectation.source = table.text("source", "");
+        reading.scenario.expectations.push_back(std::move(expectation));
+        append_section(reading.resolved, "[[expect]]", table);
+    }
+}
+
+void keep_engine_table(Reading& reading, const std::string& key) {
+    const toml::node* node = reading.top.raw(key);
+    if (node == nullptr) return;
+    if (!node->is_table()) {
+        reading.top.fail(key, fmt::format("is {}, must be a table; head it with [{}]", kind_of(*node), key));
+    }
+    reading.resolved += "\n[" + key + "]\n";
+    for (const auto& [name, value] : *node->as_table()) {
+        reading.resolved += fmt::format("{} = {}\n", toml_key(name.str()), toml_text(value));
+    }
+}
+
+}  // namespace polargrain

@@ -1,0 +1,55 @@
+#include "scenarios/reader.h"
+
+#include "scenarios/document.h"
+#include "scenarios/grain_groups.h"
+#include "scenarios/keys.h"
+#include "scenarios/sections.h"
+
+namespace polargrain {
+
+namespace {
+
+constexpr const char* k_resolved_head = "# As run by polargrain: every default and override is written out.\n\n";
+
+void read_title(Reading& reading, const std::filesystem::path& path) {
+    reading.scenario.title = reading.top.text("title", path.stem().string());
+    reading.scenario.source = reading.top.text("source", "");
+    reading.resolved += reading.top.resolved_lines();
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& path, const ScenarioOverrides& overrides) {
+    const Document document(path, overrides);
+    TableReader top(document, key_table(""));
+    Scenario scenario;
+    std::string resolved = k_resolved_head;
+    Reading reading{document, top, scenario, resolved};
+    read_title(reading, path);
+    read_run(reading);
+    read_materials(reading);
+    read_pairs(reading);
+    ShapeBook shapes = read_shapes(reading);
+    read_walls(reading);
+    read_settle(reading);
+    read_grain_groups(reading, shapes);
+    keep_engine_table(reading, "dem");
+    keep_engine_table(reading, "box2d");
+    read_output(reading);
+    read_expectations(reading);
+    top.finish();
+    scenario.resolved_toml = std::move(resolved);
+    return scenario;
+}
+
+std::vector<std::string> known_scenario_keys() {
+    std::vector<std::string> keys;
+    for (const KeyTable& table : key_tables()) {
+        std::string prefix = table.path.empty() ? "" : table.path + ".";
+        if (!table.variant.empty()) prefix += table.variant + ".";
+        for (const std::string& key : table.keys) keys.push_back(prefix + key);
+    }
+    return keys;
+}
+
+}  // namespace polargrain

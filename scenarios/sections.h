@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/shape_book.h"
+#include "scenarios/table_reader.h"
+#include "src/model/settings.h"
+
+namespace polargrain {
+
+// One function for each table of a scenario file: reads and checks it, and appends it to the resolved text.
+
+/// What the readers of the tables share.
+struct Reading {
+    const Document& document;
+    TableReader& top;
+    Scenario& scenario;
+    std::string& resolved;
+};
+
+/// Finishes a table and appends it under a header such as "[run]" or "[[walls]]".
+void append_section(std::string& resolved, const std::string& header, const TableReader& table);
+
+void read_run(Reading& reading);
+void read_settle(Reading& reading);
+void read_output(Reading& reading);
+void read_expectations(Reading& reading);
+/// A table whose keys belong to one engine: kept as it is.
+void keep_engine_table(Reading& reading, const std::string& key);
+
+void read_materials(Reading& reading);
+void read_pairs(Reading& reading);
+void read_walls(Reading& reading);
+ShapeBook read_shapes(Reading& reading);
+
+/// Index of the material that the key names; InputError with the nearest one otherwise.
+MaterialIndex read_material(const Scene& scene, TableReader& table, const std::string& key);
+
+}  // namespace polargrain
