@@ -8,7 +8,7 @@ namespace polargrain {
 namespace {
 
 // pi/2 in three parts with trailing zero bits, so that a multiple of the first two is exact
-// (Cody and Waite); the count of quarter turns stays below 2^20 for |angle| < 1e6.
+// [CW80]; the count of quarter turns stays below 2^20 for |angle| < 1e6.
 constexpr double k_half_pi_1 = 0x1.921fb544p+0;
 constexpr double k_half_pi_2 = 0x1.0b4611a6p-34;
 constexpr double k_half_pi_3 = 0x1.3198a2e037073p-69;
@@ -47,7 +47,13 @@ double cosine_kernel(double x) {
 
 SineCosine sine_cosine(double angle) {
     const double quarters = std::nearbyint(angle * (2.0 / k_pi));
-    const double r = ((angle - quarters * k_half_pi_1) - quarters * k_half_pi_2) - quarters * k_half_pi_3;
+    const double high = angle - quarters * k_half_pi_1;
+    const double low = quarters * k_half_pi_2;
+    const double difference = high - low;
+    // Near a multiple of pi/2 little is left of the angle: keep what the subtraction rounds away [CW80].
+    const double back = difference - high;
+    const double lost = (high - (difference - back)) - (low + back);
+    const double r = difference + (lost - quarters * k_half_pi_3);
     const double s = sine_kernel(r);
     const double c = cosine_kernel(r);
     switch (static_cast<std::int64_t>(quarters) & 3) {
