@@ -83,7 +83,8 @@ struct FillKey {
     std::uint64_t fill;
 };
 
-/// Puts one grain after the other at a uniformly random place and angle where it fits (random sequential addition).
+/// Puts one grain after the other, the largest first, at a uniformly random place and angle where it fits (random
+/// sequential addition).
 /// Returns how many found a place: fewer than all where one of them failed k_most_tries times, or all together
 /// failed too often.
 std::size_t place_at_random(FillSpace& space, std::span<FillGrain> grains, const FillKey& key);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "scenarios/fill.h"
 #include "src/core/elementary.h"
@@ -89,6 +90,16 @@ void shuffle(std::vector<Vec2>& sites, RandomStream& random) {
     }
 }
 
+/// Large grains first: small ones find room between them, and hardly the other way round.
+std::vector<std::size_t> by_falling_size(std::span<const FillGrain> grains) {
+    std::vector<std::size_t> order(grains.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return outer_radius(*grains[a].shape) > outer_radius(*grains[b].shape);
+    });
+    return order;
+}
+
 double largest_radius(std::span<const FillGrain> grains) {
     double largest = 0.0;
     for (const FillGrain& grain : grains) largest = std::max(largest, outer_radius(*grain.shape));
@@ -99,7 +110,8 @@ double largest_radius(std::span<const FillGrain> grains) {
 
 std::size_t place_at_random(FillSpace& space, std::span<FillGrain> grains, const FillKey& key) {
     std::size_t tries_left = k_tries_per_grain * grains.size() + k_most_tries;
-    for (std::size_t k = 0; k < grains.size(); ++k) {
+    std::size_t done = 0;
+    for (const std::size_t k : by_falling_size(grains)) {
         FillGrain& grain = grains[k];
         RandomStream random(key.seed, RandomPurpose::fill, key.fill, static_cast<std::uint32_t>(2 * k + 1));
         const Vec2 margin = Vec2::Constant(outer_radius(*grain.shape));
@@ -110,9 +122,10 @@ std::size_t place_at_random(FillSpace& space, std::span<FillGrain> grains, const
             placed = space.fits(*grain.shape, Pose::at(centre, angle));
             if (placed) put_at(space, grain, centre, angle);
         }
-        if (!placed) return k;
+        if (!placed) break;
+        ++done;
     }
-    return grains.size();
+    return done;
 }
 
 std::size_t place_on_lattice(FillSpace& space, std::span<FillGrain> grains, const FillKey& key) {

@@ -71,18 +71,13 @@ RoughSpec read_rough(TableReader& table) {
     spec.radius = table.number("radius", k_positive);
     spec.roughness = table.number("roughness", {0.0, 0.95, false, "between 0 and 0.95"});
     spec.vertices = read_count(table, "vertices", 3, spec.vertices);
-    if (table.has("modes")) {
-        const std::vector<double> modes = table.numbers("modes", {1.0, 1000.0, false, "between 1 and 1000"}, 2);
-        const bool whole = modes.size() == 2 && std::floor(modes[0]) == modes[0] && std::floor(modes[1]) == modes[1];
-        if (!whole || modes[0] > modes[1]) {
-            table.fail("modes", "must be the first and the last mode, two rising whole numbers such as [2, 6]");
-        }
-        spec.first_mode = static_cast<int>(modes[0]);
-        spec.last_mode = static_cast<int>(modes[1]);
-    } else {
-        table.raw("modes");
-        table.write("modes", fmt::format("[{}, {}]", spec.first_mode, spec.last_mode));
+    const std::vector<std::int64_t> modes =
+        table.integers("modes", 1, 1000, std::vector<std::int64_t>{spec.first_mode, spec.last_mode});
+    if (modes.size() != 2 || modes[0] > modes[1]) {
+        table.fail("modes", "must be the first and the last mode, two rising whole numbers such as [2, 6]");
     }
+    spec.first_mode = static_cast<int>(modes[0]);
+    spec.last_mode = static_cast<int>(modes[1]);
     spec.same = table.flag("same", spec.same);
     return spec;
 }

@@ -97,12 +97,13 @@ double TableReader::checked(std::string_view key, const toml::node& node, const 
 }
 
 double TableReader::number(std::string_view key, const NumberRange& range, std::optional<double> fallback) {
+    double value = 0.0;
     if (fallback && !has(key)) {
         read_.emplace_back(key);
-        write(key, toml_text(*fallback));
-        return *fallback;
+        value = *fallback;
+    } else {
+        value = checked(key, need(key), path(key), range);
     }
-    const double value = checked(key, need(key), path(key), range);
     write(key, toml_text(value));
     return value;
 }
@@ -113,25 +114,49 @@ std::optional<double> TableReader::optional_number(std::string_view key, const N
     return {};
 }
 
-std::int64_t TableReader::integer(std::string_view key, std::int64_t low, std::int64_t high,
-                                  std::optional<std::int64_t> fallback) {
-    if (fallback && !has(key)) {
-        read_.emplace_back(key);
-        write(key, std::to_string(*fallback));
-        return *fallback;
-    }
-    const toml::node& node = need(key);
+std::int64_t TableReader::checked_integer(std::string_view key, const toml::node& node, const std::string& node_path,
+                                          std::int64_t low, std::int64_t high) const {
     if (!node.is_integer()) {
-        fail(key, fmt::format("is {}, must be a whole number; write for example {} = {}",
-                              node.is_floating_point() ? "a number with a fraction" : kind_of(node), key,
-                              std::max<std::int64_t>(low, 1)));
+        fail_at(node, node_path,
+                fmt::format("is {}, must be a whole number; write for example {} = {}",
+                            node.is_floating_point() ? "a number with a fraction" : kind_of(node), key,
+                            std::max<std::int64_t>(low, 1)));
     }
     const std::int64_t value = node.as_integer()->get();
     if (value < low || value > high) {
-        fail(key, fmt::format("is {}, must be a whole number from {} to {}; change it", value, low, high));
+        fail_at(node, node_path,
+                fmt::format("is {}, must be a whole number from {} to {}; change it", value, low, high));
+    }
+    return value;
+}
+
+std::int64_t TableReader::integer(std::string_view key, std::int64_t low, std::int64_t high,
+                                  std::optional<std::int64_t> fallback) {
+    std::int64_t value = 0;
+    if (fallback && !has(key)) {
+        read_.emplace_back(key);
+        value = *fallback;
+    } else {
+        value = checked_integer(key, need(key), path(key), low, high);
     }
     write(key, std::to_string(value));
     return value;
+}
+
+std::vector<std::int64_t> TableReader::integers(std::string_view key, std::int64_t low, std::int64_t high,
+                                                const std::vector<std::int64_t>& fallback) {
+    std::vector<std::int64_t> values;
+    if (has(key)) {
+        const toml::array& array = need_array(key, 1, "[2, 6]");
+        for (std::size_t k = 0; k < array.size(); ++k) {
+            values.push_back(checked_integer(key, array[k], fmt::format("{}[{}]", path(key), k), low, high));
+        }
+    } else {
+        read_.emplace_back(key);
+        values = fallback;
+    }
+    write(key, fmt::format("[{}]", fmt::join(values, ", ")));
+    return values;
 }
 
 bool TableReader::flag(std::string_view key, bool fallback) {

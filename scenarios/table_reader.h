@@ -78,6 +78,8 @@ public:
     /// [[a, b], ...]
     std::vector<Vec2> points(std::string_view key, std::size_t at_least);
     std::vector<double> numbers(std::string_view key, const NumberRange& range, std::size_t at_least);
+    std::vector<std::int64_t> integers(std::string_view key, std::int64_t low, std::int64_t high,
+                                       const std::vector<std::int64_t>& fallback);
     std::vector<std::string> words(std::string_view key);
 
     /// The value as it stands, or null; marks the key as read. The caller checks it and calls `write`.
@@ -113,6 +115,8 @@ private:
     const toml::node& need(std::string_view key);
     double checked(std::string_view key, const toml::node& node, const std::string& node_path,
                    const NumberRange& range) const;
+    std::int64_t checked_integer(std::string_view key, const toml::node& node, const std::string& node_path,
+                                 std::int64_t low, std::int64_t high) const;
     Vec2 pair_of(std::string_view key, const toml::node& node, const std::string& node_path) const;
     const toml::array& need_array(std::string_view key, std::size_t at_least, const char* example);
     [[noreturn]] void fail_at(const toml::node& node, const std::string& node_path, const std::string& message) const;
