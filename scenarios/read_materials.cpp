@@ -15,7 +15,7 @@ Restitution read_restitution(TableReader& table, const std::string& table_path) 
     TableReader spread = table.table("restitution", key_table(table_path + ".restitution"));
     Restitution restitution;
     restitution.mean = spread.number("mean", k_fraction);
-    restitution.stddev = spread.number("stddev", {0.0, 10.0, false, "between 0 and 10"}, 0.0);
+    restitution.stddev = spread.number("stddev", {0.0, 10.0, "between 0 and 10"}, 0.0);
     table.adopt("restitution", spread);
     return restitution;
 }

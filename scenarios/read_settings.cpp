@@ -9,8 +9,8 @@ namespace polargrain {
 namespace {
 
 constexpr std::int64_t k_largest_seed = 9'007'199'254'740'992;  // 2^53: every tool that reads the file keeps it exact
-constexpr NumberRange k_seconds{1e-9, 1e6, false, "a positive number of seconds (1e-9 to 1e6)"};
-constexpr NumberRange k_interval{0.0, 1e6, false, "zero (off) or a positive number of seconds (up to 1e6)"};
+constexpr NumberRange k_seconds{1e-9, 1e6, "a positive number of seconds (1e-9 to 1e6)"};
+constexpr NumberRange k_interval{0.0, 1e6, "zero (off) or a positive number of seconds (up to 1e6)"};
 
 const std::vector<std::string>& engine_names() {
     static const std::vector<std::string> names = {"contact", "contact-1994", "box2d", "dem"};
@@ -88,7 +88,7 @@ void read_run(Reading& reading) {
     run.time_step = read_time_step(table);
     run.time_step_factor = table.number("time_step_factor", k_positive, run.time_step_factor);
     const double gravity = table.number("gravity", k_not_negative, 9.81);
-    const double incline = table.number("incline", {-180.0, 180.0, false, "between -180 and 180 degrees"}, 0.0);
+    const double incline = table.number("incline", {-180.0, 180.0, "between -180 and 180 degrees"}, 0.0);
     const auto [sine, cosine] = sine_cosine(incline * k_radians_per_degree);
     scene.gravity = {gravity * sine, -gravity * cosine};
     scene.seed = static_cast<std::uint64_t>(table.integer("seed", 0, k_largest_seed, 1));
@@ -102,6 +102,9 @@ void read_settle(Reading& reading) {
     SettleSettings settle;
     settle.until_energy = table.number("until_energy", k_positive, settle.until_energy);
     settle.at_most = table.number("at_most", k_seconds, settle.at_most);
+    if (!(reading.scenario.scene.gravity.squaredNorm() > 0.0)) {
+        throw InputError(table.where(), "settle: nothing comes to rest where run.gravity is 0; leave [settle] out");
+    }
     reading.scenario.settle = settle;
     append_section(reading.resolved, "[settle]", table);
 }

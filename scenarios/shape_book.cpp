@@ -22,7 +22,7 @@ void ShapeBook::declare(const std::string& name, const ShapeSpec& spec, const So
     const Entry& entry = entries_.insert_or_assign(name, Entry{spec, where}).first->second;
     names_.push_back(name);
     const Shape shape = make(name, entry, 0);
-    if (!(inner_radius(shape) > 1e-12)) {
+    if (!(inner_radius(shape) > 1e-10)) {
         throw InputError(where, fmt::format("shape \"{}\": its inner radius is only {} m; make it thicker", name,
                                             inner_radius(shape)));
     }

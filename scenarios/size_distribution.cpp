@@ -8,7 +8,7 @@ namespace polargrain {
 
 namespace {
 
-constexpr NumberRange k_factor{1e-3, 1e3, false, "between 1e-3 and 1e3"};
+constexpr NumberRange k_factor{1e-3, 1e3, "between 1e-3 and 1e3"};
 // Grains without a given limit stay within this many standard deviations.
 constexpr double k_tail = 3.0;
 
@@ -35,7 +35,7 @@ void read_limits(TableReader& table, SizeDistribution& size, double low, double 
 void read_normal(TableReader& table, SizeDistribution& size) {
     size.law = SizeLaw::normal;
     size.mean = table.number("mean", k_factor, 1.0);
-    size.stddev = table.number("stddev", {0.0, 100.0, false, "between 0 and 100"});
+    size.stddev = table.number("stddev", {0.0, 100.0, "between 0 and 100"});
     read_limits(table, size, std::max(0.1 * size.mean, size.mean - k_tail * size.stddev),
                 size.mean + k_tail * size.stddev);
 }
@@ -43,7 +43,7 @@ void read_normal(TableReader& table, SizeDistribution& size) {
 void read_lognormal(TableReader& table, SizeDistribution& size) {
     size.law = SizeLaw::lognormal;
     size.mean = table.number("mean", k_factor, 1.0);
-    size.stddev = table.number("stddev", {0.0, 100.0, false, "between 0 and 100"});
+    size.stddev = table.number("stddev", {0.0, 100.0, "between 0 and 100"});
     const LogParameters log = log_parameters(size.mean, size.stddev);
     read_limits(table, size, exponential(log.mean - k_tail * log.stddev), exponential(log.mean + k_tail * log.stddev));
 }

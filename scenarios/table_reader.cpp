@@ -1,7 +1,6 @@
 #include "scenarios/table_reader.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "scenarios/toml_text.h"
 #include "src/core/nearest_name.h"
@@ -89,8 +88,7 @@ double TableReader::checked(std::string_view key, const toml::node& node, const 
                 fmt::format("is {}, must be a number; write for example {} = 0.5", kind_of(node), key));
     }
     const double value = *node.value<double>();
-    const bool inside = std::isfinite(value) && value >= range.low && value <= range.high;
-    if (!inside || (range.open_below && value == range.low)) {
+    if (!(value >= range.low && value <= range.high)) {
         fail_at(node, node_path, fmt::format("is {}, must be {}; change the number", value, range.words));
     }
     return value;
@@ -200,8 +198,8 @@ Vec2 TableReader::pair_of(std::string_view key, const toml::node& node, const st
                 fmt::format("must be a pair of numbers such as [0.0, 0.1], but is {}",
                             array == nullptr ? kind_of(node) : fmt::format("an array of {}", array->size())));
     }
-    return {checked(key, (*array)[0], node_path + "[0]", k_any_number),
-            checked(key, (*array)[1], node_path + "[1]", k_any_number)};
+    return {checked(key, (*array)[0], node_path + "[0]", k_coordinate),
+            checked(key, (*array)[1], node_path + "[1]", k_coordinate)};
 }
 
 Vec2 TableReader::point(std::string_view key, std::optional<Vec2> fallback) {
@@ -334,37 +332,6 @@ std::vector<TableItem> TableReader::named_tables(std::string_view key) {
             {text, item_path, item.as_table(), known_or(document_->where(item_path, item.source()), where_)});
     }
     return items;
-}
-
-void TableReader::write(std::string_view key, std::string text) {
-    resolved_.emplace_back(std::string{key}, std::move(text));
-}
-
-void TableReader::adopt(std::string_view key, const TableReader& child) {
-    child.finish();
-    write(key, child.resolved_inline());
-}
-
-void TableReader::finish() const {
-    for (const auto& [key, value] : *table_) {
-        if (std::find(read_.begin(), read_.end(), key.str()) == read_.end()) {
-            broken_invariant("every key is read", __FILE__, __LINE__, path(key.str()));
-        }
-    }
-}
-
-std::string TableReader::resolved_lines() const {
-    std::string lines;
-    for (const auto& [key, text] : resolved_) lines += fmt::format("{} = {}\n", toml_key(key), text);
-    return lines;
-}
-
-std::string TableReader::resolved_inline() const {
-    std::string list;
-    for (const auto& [key, text] : resolved_) {
-        list += fmt::format("{}{} = {}", list.empty() ? "" : ", ", toml_key(key), text);
-    }
-    return list.empty() ? "{}" : "{ " + list + " }";
 }
 
 }  // namespace polargrain

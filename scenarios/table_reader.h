@@ -22,15 +22,15 @@ namespace polargrain {
 struct NumberRange {
     double low;
     double high;
-    bool open_below;    ///< `low` itself is refused
     const char* words;  ///< for messages: "must be ..."
 };
 
 inline constexpr double k_largest_number = 1e9;
-inline constexpr NumberRange k_any_number{-k_largest_number, k_largest_number, false, "between -1e9 and 1e9"};
-inline constexpr NumberRange k_positive{1e-12, k_largest_number, false, "positive (from 1e-12 to 1e9)"};
-inline constexpr NumberRange k_not_negative{0.0, k_largest_number, false, "zero or positive (up to 1e9)"};
-inline constexpr NumberRange k_fraction{0.0, 1.0, false, "between 0 and 1"};
+inline constexpr NumberRange k_any_number{-k_largest_number, k_largest_number, "between -1e9 and 1e9"};
+inline constexpr NumberRange k_coordinate{-1e6, 1e6, "between -1e6 and 1e6"};
+inline constexpr NumberRange k_positive{1e-9, k_largest_number, "positive (from 1e-9 to 1e9)"};
+inline constexpr NumberRange k_not_negative{0.0, k_largest_number, "zero or positive (up to 1e9)"};
+inline constexpr NumberRange k_fraction{0.0, 1.0, "between 0 and 1"};
 
 /// A table in a scenario file: its own name where it has one, its key path, and where it stands.
 struct TableItem {
