@@ -34,6 +34,7 @@ struct FrameStyle {
     double colour_max = 1.0;
     bool contacts = false;
     double impulse_scale = 1.0;  ///< [N s/m] drawn at full thickness
+    int time_decimals = 3;       ///< of the time stamp [s]
 };
 
 /// Style for all frames of a scene.
@@ -44,7 +45,8 @@ struct FrameStyle {
 /// The colour scale is colour_max, or from the scene alone: for speed the next round number above
 /// 0.4 sqrt(2 g H), H the largest drop, above the greatest initial speed and the greatest wall speed; for spin that
 /// speed over the mean outer radius, both ways; for kinetic energy, that of a mean grain at that speed; for size the
-/// least and the greatest outer radius.
+/// least and the greatest outer radius. The impulse scale is a mean grain's mass times the speed at the upper end.
+/// InputError for a colour that is not known.
 FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title);
 
 }  // namespace polargrain

@@ -9,8 +9,8 @@
 namespace polargrain {
 
 /// Draws a shape large: outline, the polar sectors from the centre of mass, circles of outer and inner radius, vertex
-/// numbers where there are at most 40, a scale bar, and the given lines of text beside it. Square picture of `width`
-/// pixels with a column for the text. png, svg or pdf by the extension; InputError, RunError as draw_frame.
+/// numbers where there are at most 40, a scale bar, and the given lines of text in a column beside it. `width` pixels
+/// wide, 0.7 of that high; png, svg or pdf by the extension; InputError, RunError as draw_frame.
 void draw_shape(const Shape& shape, const std::vector<std::string>& properties, const std::filesystem::path& path,
                 int width = 1000);
 

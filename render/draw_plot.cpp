@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+
+#include "render/painting.h"
+#include "src/core/elementary.h"
+
+namespace polargrain {
+
+namespace {
+
+constexpr Colour k_ground{0.988, 0.988, 0.982};
+constexpr Colour k_border{0.80, 0.82, 0.84};
+constexpr Colour k_impulse{0.83, 0.07, 0.14};
+
+}  // namespace
+
+void draw_contacts(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Projection& to_paper,
+                   double letter) {
+    const Saved saved(cr);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
+    set_colour(cr, k_impulse, 0.9);
+    for (const Contact& contact : picture.contacts) {
+        const Vec2 point = to_paper(contact.point);
+        const double impulse = contact.impulse.norm();
+        if (impulse > 0.0) {
+            const Vec2 along(contact.impulse.x() / impulse, -contact.impulse.y() / impulse);
+            const double half = 0.45 * letter;
+            // By the root: resting and hitting differ by orders of magnitude and both are to be seen.
+            cairo_set_line_width(cr, 0.4 * letter * std::sqrt(std::min(1.0, impulse / style.impulse_scale)));
+            cairo_move_to(cr, point.x() - half * along.x(), point.y() - half * along.y());
+            cairo_line_to(cr, point.x() + half * along.x(), point.y() + half * along.y());
+            cairo_stroke(cr);
+        }
+        cairo_arc(cr, point.x(), point.y(), 0.11 * letter, 0.0, 2.0 * k_pi);
+        cairo_fill(cr);
+    }
+}
+
+void draw_plot(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Rect& plot, double letter) {
+    const Projection to_paper(style.view, plot);
+    {
+        const Saved saved(cr);
+        cairo_rectangle(cr, plot.x, plot.y, plot.width, plot.height);
+        cairo_clip(cr);
+        set_colour(cr, k_ground);
+        cairo_paint(cr);
+        for (const PlacedWall& wall : picture.walls) draw_wall(cr, wall, to_paper, 0.55 * letter);
+        draw_grains(cr, picture, style, to_paper, plot);
+        if (style.contacts) draw_contacts(cr, picture, style, to_paper, letter);
+    }
+    const Saved saved(cr);
+    set_colour(cr, k_border);
+    cairo_set_line_width(cr, 1.0);
+    cairo_rectangle(cr, std::floor(plot.x) + 0.5, std::floor(plot.y) + 0.5, std::floor(plot.width),
+                    std::floor(plot.height));
+    cairo_stroke(cr);
+}
+
+}  // namespace polargrain
