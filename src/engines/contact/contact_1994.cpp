@@ -23,7 +23,7 @@ public:
         contact_stage_.process(contacts_, world, dt, report);
         take_trial(world.grains, scene_.gravity, dt, configuration_);
         const double trial_time = static_cast<double>(world.step + 1) * dt;
-        trial_check_.run(configuration_, world.grains, trial_time);
+        trial_check_.run(configuration_, world.grains, world.time, trial_time);
         const std::vector<char>& rejected = motion_update_.decide(trial_check_.overlaps());
         trial_check_.record(configuration_, world.grains, rejected, contacts_);
         move(world.grains, rejected, report);

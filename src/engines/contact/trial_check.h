@@ -27,8 +27,9 @@ class TrialCheck {
 public:
     explicit TrialCheck(const Scene& scene);
 
-    /// Velocities are those after the trial. trial_time: when the trial poses are reached, for moving walls.
-    void run(const TrialConfiguration& configuration, const Grains& grains, double trial_time);
+    /// Velocities of the grains are those after the trial. time, trial_time: at the beginning of the step, and when the
+    /// trial poses are reached.
+    void run(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time);
 
     const TrialOverlaps& overlaps() const { return overlaps_; }
 
@@ -38,9 +39,10 @@ public:
                 std::vector<RecordedContact>& contacts) const;
 
 private:
-    void check_walls(const TrialConfiguration& configuration, const Grains& grains, double trial_time);
+    void check_walls(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time);
     void check_pairs(const TrialConfiguration& configuration, const Grains& grains);
-    bool may_overlap_moving_wall(const PlacedPiece& piece, const ContactGeometry& contact, const Vec2& velocity) const;
+    bool recedes(const PlacedShape& grain, const ContactGeometry& contact, const Wall& wall, double time,
+                 double dt) const;
 
     const Scene& scene_;
     PairList pairs_;

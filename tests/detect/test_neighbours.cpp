@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "src/core/random.h"
+#include "src/detect/pair_list.h"
+
+namespace polargrain {
+namespace {
+
+std::vector<GrainPair> all_pairs(const std::vector<BoundingCircle>& circles) {
+    std::vector<GrainPair> pairs;
+    for (std::size_t a = 0; a < circles.size(); ++a) {
+        for (std::size_t b = a + 1; b < circles.size(); ++b) {
+            const double reach = circles[a].radius + circles[b].radius;
+            if ((circles[a].centre - circles[b].centre).squaredNorm() < reach * reach) {
+                pairs.emplace_back(static_cast<GrainIndex>(a), static_cast<GrainIndex>(b));
+            }
+        }
+    }
+    return pairs;
+}
+
+std::vector<BoundingCircle> random_circles(RandomStream& random, int n, double spread, const Vec2& origin) {
+    std::vector<BoundingCircle> circles;
+    for (int k = 0; k < n; ++k) {
+        const double radius = 0.01 * std::pow(spread, random.uniform());
+        circles.push_back({origin + Vec2(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)), radius});
+    }
+    return circles;
+}
+
+TEST(NeighbourSearch, FindsExactlyThePairsOfAllPairsChecking) {
+    RandomStream random(51, RandomPurpose::test);
+    NeighbourSearch search;
+    std::vector<GrainPair> pairs;
+    for (const double spread : {1.0, 2.0, 7.3, 100.0}) {
+        for (const Vec2& origin : {Vec2(0.0, 0.0), Vec2(-1e4, 3e5)}) {
+            for (int scene = 0; scene < 20; ++scene) {
+                const auto circles = random_circles(random, 1 + scene * 12, spread, origin);
+                search.find_pairs(circles, pairs);
+                ASSERT_EQ(pairs, all_pairs(circles)) << "seed 51, spread " << spread << ", scene " << scene;
+            }
+        }
+    }
+}
+
+TEST(PairList, NeverMissesAPairThatMeetsOnTheWay) {
+    RandomStream random(52, RandomPurpose::test);
+    std::vector<double> radii;
+    std::vector<Vec2> centres;
+    for (int k = 0; k < 150; ++k) {
+        radii.push_back(random.uniform(0.005, 0.03));
+        centres.emplace_back(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
+    }
+    PairList list(radii);
+    int made_anew = 0;
+    for (int step = 0; step < 300; ++step) {
+        std::vector<Vec2> next = centres;
+        for (Vec2& c : next) c += Vec2(random.normal(), random.normal()) * (step % 50 == 0 ? 0.01 : 1e-4);
+        made_anew += list.update(centres, next) ? 1 : 0;
+        for (const auto* at : {&centres, &next}) {
+            std::vector<BoundingCircle> circles;
+            for (std::size_t k = 0; k < radii.size(); ++k) circles.push_back({(*at)[k], radii[k]});
+            for (const GrainPair& pair : all_pairs(circles)) {
+                ASSERT_TRUE(std::binary_search(list.pairs().begin(), list.pairs().end(), pair)) << "step " << step;
+            }
+        }
+        centres = next;
+    }
+    EXPECT_LT(made_anew, 100) << "the list is kept over steps";
+}
+
+}  // namespace
+}  // namespace polargrain
