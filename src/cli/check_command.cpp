@@ -26,7 +26,7 @@ void print_estimate(const Scenario& scenario, double dt) {
     const double settling = scenario.settle ? scenario.settle->at_most : 0.0;
     const double seconds = grains * (duration + settling) / dt * k_seconds_per_grain_step;
     const OutputSettings& output = scenario.output;
-    fmt::print("  estimate   {} (h:)min:s of cpu time at most for the steps, at {:.2g} s per grain and step\n",
+    fmt::print("  estimate   {} (min:s) of cpu time for the steps at most, {:.2g} s per grain and step\n",
                clock_text(std::ceil(seconds)), k_seconds_per_grain_step);
     fmt::print("  output     {:.0f} pictures, {:.0f} rows in series.csv, about {:.3g} MB in trajectory.h5\n",
                samples(duration, output.frames.every), samples(duration, output.series_every),

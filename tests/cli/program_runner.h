@@ -1,0 +1,53 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace polargrain {
+
+/// A new empty folder under the system's temporary one, removed with everything in it at the end.
+class ScratchFolder {
+public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    /// Writes a file into it and returns its path.
+    std::filesystem::path write(const std::string& name, const std::string& text) const;
+
+private:
+    std::filesystem::path path_;
+};
+
+/// What the program left behind when it ended.
+struct Outcome {
+    int exit_code = -1;  ///< negative: ended by that signal
+    std::string out, err;
+};
+
+/// The built program, started in a folder of its own, without a terminal.
+class RunningProgram {
+public:
+    RunningProgram(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+    void send(int signal) const;
+    /// Waits for its end; may be called once.
+    Outcome wait();
+
+private:
+    ScratchFolder captured_;
+    pid_t process_;
+};
+
+inline Outcome run_polargrain(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+    return RunningProgram(arguments, folder).wait();
+}
+
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace polargrain

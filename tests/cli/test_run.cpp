@@ -1,0 +1,211 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cli/program_runner.h"
+#include "tests/cli/small_scenarios.h"
+
+namespace polargrain {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+nlohmann::json summary_of(const fs::path& folder) { return nlohmann::json::parse(read_file(folder / "summary.json")); }
+
+std::string state_hash_of(const fs::path& folder) { return summary_of(folder).at("state_hash"); }
+
+class Run : public testing::Test {
+protected:
+    Outcome run(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), "run");
+        return run_polargrain(arguments, scratch_.path());
+    }
+    ScratchFolder scratch_;
+};
+
+TEST_F(Run, WritesARunFolderUnderOutByDefault) {
+    scratch_.write("three.toml", k_three_disks);
+    const Outcome outcome = run({"three.toml"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty());
+    EXPECT_THAT(outcome.out, HasSubstr("state hash"));
+    for (const char* file : {"scenario.toml", "summary.json", "series.csv", "trajectory.h5"}) {
+        EXPECT_TRUE(fs::exists(scratch_ / "out" / "three" / file)) << file;
+    }
+    EXPECT_FALSE(fs::exists(scratch_ / "out" / "three" / "frames")) << "frames are switched off";
+    EXPECT_EQ(summary_of(scratch_ / "out" / "three").at("steps"), 500);
+}
+
+TEST_F(Run, TheSameScenarioGivesTheSameStateAndAnotherSeedAnother) {
+    scratch_.write("three.toml", k_three_disks);
+    for (const char* folder : {"a", "b"}) ASSERT_EQ(run({"three.toml", "-o", folder}).exit_code, 0);
+    ASSERT_EQ(run({"three.toml", "-o", "c", "--seed", "4"}).exit_code, 0);
+    EXPECT_EQ(state_hash_of(scratch_ / "a"), state_hash_of(scratch_ / "b"));
+    EXPECT_EQ(read_file(scratch_ / "a" / "series.csv"), read_file(scratch_ / "b" / "series.csv"));
+    EXPECT_NE(state_hash_of(scratch_ / "a"), state_hash_of(scratch_ / "c")) << "restitution is drawn by the seed";
+}
+
+TEST_F(Run, TheScenarioOfARunFolderGivesTheSameStateAgain) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "first", "--set", "run.gravity=3.3", "--seed", "99"}).exit_code, 0);
+    ASSERT_EQ(run({"first/scenario.toml", "-o", "again"}).exit_code, 0);
+    EXPECT_EQ(state_hash_of(scratch_ / "first"), state_hash_of(scratch_ / "again"));
+    EXPECT_EQ(read_file(scratch_ / "first" / "scenario.toml"), read_file(scratch_ / "again" / "scenario.toml"));
+}
+
+TEST_F(Run, SettlesBeforeTimeZeroAndRepeatsThatToo) {
+    scratch_.write("three.toml", k_three_disks + "[settle]\nuntil_energy = 1e-3\nat_most = 0.2\n");
+    const Outcome outcome = run({"three.toml", "-o", "first"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("settling:"));
+    ASSERT_EQ(run({"first/scenario.toml", "-o", "again"}).exit_code, 0);
+    EXPECT_EQ(state_hash_of(scratch_ / "first"), state_hash_of(scratch_ / "again"));
+}
+
+TEST_F(Run, RefusesAFolderWithSomethingInItUnlessForced) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
+    const std::string before = read_file(scratch_ / "here" / "summary.json");
+    const Outcome refused = run({"three.toml", "-o", "here"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--force"));
+    EXPECT_EQ(read_file(scratch_ / "here" / "summary.json"), before) << "nothing is touched";
+    EXPECT_EQ(run({"three.toml", "-o", "here", "--force"}).exit_code, 0);
+}
+
+TEST_F(Run, ForceRemovesOnlyWhatARunFolderIsMadeOf) {
+    scratch_.write("three.toml", k_three_disks);
+    fs::create_directories(scratch_ / "here" / "frames");
+    for (const char* name : {"here/notes.txt", "here/impacts.csv", "here/frames/000007.png", "here/frames/mine.png"}) {
+        scratch_.write(name, "old");
+    }
+    EXPECT_EQ(run({"three.toml", "-o", "here", "--force"}).exit_code, 0);
+    EXPECT_TRUE(fs::exists(scratch_ / "here" / "notes.txt"));
+    EXPECT_TRUE(fs::exists(scratch_ / "here" / "frames" / "mine.png"));
+    EXPECT_FALSE(fs::exists(scratch_ / "here" / "impacts.csv")) << "a stale file of an earlier run";
+    EXPECT_FALSE(fs::exists(scratch_ / "here" / "frames" / "000007.png"));
+}
+
+TEST_F(Run, RefusesAFileInPlaceOfTheFolder) {
+    scratch_.write("three.toml", k_three_disks);
+    const Outcome outcome = run({"three.toml", "-o", "three.toml"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(read_file(scratch_ / "three.toml"), k_three_disks);
+}
+
+TEST_F(Run, QuietPrintsNothing) {
+    scratch_.write("three.toml", k_three_disks);
+    const Outcome outcome = run({"three.toml", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
+}
+
+TEST_F(Run, WritesImpactsOnRequest) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "with", "--set", "output.impacts=true"}).exit_code, 0);
+    ASSERT_EQ(run({"three.toml", "-o", "without"}).exit_code, 0);
+    const std::string rows = read_file(scratch_ / "with" / "impacts.csv");
+    const auto lines = std::count(rows.begin(), rows.end(), '\n');
+    EXPECT_EQ(lines, 1 + summary_of(scratch_ / "with").at("impacts").get<long>());
+    EXPECT_GT(lines, 1);
+    EXPECT_FALSE(fs::exists(scratch_ / "without" / "impacts.csv"));
+    EXPECT_EQ(state_hash_of(scratch_ / "with"), state_hash_of(scratch_ / "without")) << "looking changes nothing";
+}
+
+TEST_F(Run, DrawsFramesUnlessToldNotTo) {
+    scratch_.write("three.toml", replaced(k_three_disks, "frames = { every = 0.0 }", "frames = { every = 0.025 }"));
+    ASSERT_EQ(run({"three.toml", "-o", "with"}).exit_code, 0);
+    ASSERT_EQ(run({"three.toml", "-o", "without", "--no-frames"}).exit_code, 0);
+    for (const char* frame : {"000000.png", "000001.png", "000002.png"}) {
+        EXPECT_TRUE(fs::exists(scratch_ / "with" / "frames" / frame)) << frame;
+    }
+    EXPECT_FALSE(fs::exists(scratch_ / "with" / "frames" / "000003.png"));
+    EXPECT_FALSE(fs::exists(scratch_ / "without" / "frames"));
+    const Outcome sheet = run_polargrain({"sheet", "with"}, scratch_.path());
+    EXPECT_EQ(sheet.exit_code, 0) << sheet.err;
+    EXPECT_TRUE(fs::exists(scratch_ / "with" / "sheet.png"));
+    EXPECT_EQ(run_polargrain({"sheet", "with"}, scratch_.path()).exit_code, 2) << "nothing is overwritten";
+    EXPECT_EQ(run_polargrain({"sheet", "without"}, scratch_.path()).exit_code, 0) << "drawn from the trajectory";
+}
+
+TEST_F(Run, WarnsOfATimeStepBeyondTheCriticalOne) {
+    scratch_.write("three.toml", k_three_disks);
+    const Outcome outcome = run({"three.toml", "--set", "run.time_step=0.02"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr("warning"));
+}
+
+TEST_F(Run, AFolderThatCannotBeMadeFailsTheRun) {
+    scratch_.write("three.toml", k_three_disks);
+    const Outcome outcome = run({"three.toml", "-o", "three.toml/below"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("three.toml/below"));
+}
+
+class Interrupt : public Run, public testing::WithParamInterface<int> {};
+
+TEST_P(Interrupt, EndsTheRunCleanlyWithWhatWasComputedSoFar) {
+    scratch_.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e6"));
+    RunningProgram program({"run", "long.toml", "-o", "long"}, scratch_.path());
+    // The first row of the series is written when the loop is about to start.
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (read_file(scratch_ / "long" / "series.csv").empty() && std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    program.send(GetParam());
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+    EXPECT_THAT(outcome.err, HasSubstr("run long.toml -o long --force")) << "says how to repeat";
+    const nlohmann::json summary = summary_of(scratch_ / "long");
+    EXPECT_EQ(summary.at("completed"), false);
+    EXPECT_GT(summary.at("steps").get<long>(), 0);
+    const std::string series = read_file(scratch_ / "long" / "series.csv");
+    const std::string last_row = series.substr(series.rfind('\n', series.size() - 2) + 1);
+    EXPECT_EQ(std::stod(last_row), summary.at("simulated_seconds").get<double>()) << "the last state was written";
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values(SIGINT, SIGTERM));
+
+class ShippedScenario : public Run, public testing::WithParamInterface<fs::path> {};
+
+TEST_P(ShippedScenario, RunsForSomeSteps) {
+    const std::string name = GetParam().stem();
+    const Outcome outcome = run({name, "--set", "run.duration=0.01", "--set", "output.frames.every=0.01"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(scratch_ / "out" / name / "frames" / "000001.png"));
+    EXPECT_GT(summary_of(scratch_ / "out" / name).at("steps").get<long>(), 1);
+}
+
+TEST_P(ShippedScenario, IsChecked) {
+    const Outcome outcome = run_polargrain({"check", GetParam().string()}, scratch_.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("time step"));
+    EXPECT_TRUE(fs::is_empty(scratch_.path())) << "check writes nothing";
+}
+
+std::vector<fs::path> shipped() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(POLARGRAIN_SOURCE_DIR "/scenarios")) {
+        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedScenario, testing::ValuesIn(shipped()), [](const auto& scenario) {
+    std::string name = scenario.param.stem();
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace polargrain
