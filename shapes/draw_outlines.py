@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the shipped outlines again: shapes/outlines/*.toml.
+"""Draws the shipped outlines again: shapes/outlines/*.toml, or into the folder given.
 
 Every file is a pure function of the numbers below; running this must not change any of them.
 Lengths in mm. Points run counter-clockwise.
@@ -8,6 +8,7 @@ Lengths in mm. Points run counter-clockwise.
 import math
 import pathlib
 import random
+import sys
 
 FOLDER = pathlib.Path(__file__).resolve().parent / "outlines"
 
@@ -196,7 +197,7 @@ OUTLINES = [
 ]
 
 
-def write(name, title, source, points):
+def write(folder, name, title, source, points):
     decimals = 5 if max(math.hypot(x, y) for x, y in points) < 2.0 else 4
 
     def number(value):
@@ -204,9 +205,9 @@ def write(name, title, source, points):
 
     rows = [f"    [{number(x)}, {number(y)}]," for x, y in points]
     text = [f'title = "{title}"', f'source = "{source}"', 'unit = "mm"', "points = [", *rows, "]", ""]
-    (FOLDER / f"{name}.toml").write_text("\n".join(text), encoding="utf-8")
+    (folder / f"{name}.toml").write_text("\n".join(text), encoding="utf-8")
 
 
 if __name__ == "__main__":
     for outline in OUTLINES:
-        write(*outline)
+        write(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER, *outline)

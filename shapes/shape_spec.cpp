@@ -30,7 +30,22 @@ Vec2 at_angle(double radius, double angle) {
     return {radius * cosine, radius * sine};
 }
 
-double angle_of(int k, int count) { return 2.0 * k_pi * k / count; }
+// Direction of the k-th of `count` equal parts of a turn. Worked out within an eighth of a turn, so that directions
+// on the axes are exact and mirror images match to the bit.
+Vec2 part_of_turn(std::int64_t k, std::int64_t count) {
+    const std::int64_t quarter = 4 * k / count % 4;
+    const std::int64_t rest = 4 * k % count;
+    const bool past_diagonal = 2 * rest > count;
+    const double share = static_cast<double>(past_diagonal ? count - rest : rest) / static_cast<double>(count);
+    const auto [s, c] = sine_cosine(0.5 * k_pi * share);
+    const Vec2 direction = past_diagonal ? Vec2(s, c) : Vec2(c, s);
+    switch (quarter) {
+        case 0: return direction;
+        case 1: return left_normal(direction);
+        case 2: return -direction;
+        default: return right_normal(direction);
+    }
+}
 
 struct SideCounts {
     int horizontal = 1, vertical = 1;  ///< pieces that each side is cut into
@@ -49,8 +64,12 @@ SideCounts share_out(const RectangleSpec& spec) {
     return sides;
 }
 
+// Reckoned from the nearer corner: stays on the side, and mirror images match to the bit.
 void append_side(Points& points, const Vec2& from, const Vec2& to, int pieces) {
-    for (int k = 0; k < pieces; ++k) points.emplace_back((from * (pieces - k) + to * k) / pieces);
+    for (int k = 0; k < pieces; ++k) {
+        points.emplace_back(2 * k <= pieces ? from + (to - from) * k / pieces
+                                            : to + (from - to) * (pieces - k) / pieces);
+    }
 }
 
 Points outline_points(const std::string& name, const RectangleSpec& spec) {
@@ -72,7 +91,7 @@ Points outline_points(const std::string& name, const RegularSpec& spec) {
     check_length(name, "radius", spec.radius);
     check_count(name, "sides", spec.sides, 3);
     Points points;
-    for (int k = 0; k < spec.sides; ++k) points.push_back(at_angle(spec.radius, angle_of(k, spec.sides)));
+    for (int k = 0; k < spec.sides; ++k) points.emplace_back(spec.radius * part_of_turn(k, spec.sides));
     return points;
 }
 
@@ -89,7 +108,7 @@ Points superellipse_points(const std::string& name, const SuperellipseSpec& spec
     const auto term = [&](double value) { return value == 0.0 ? 0.0 : power(std::abs(value), spec.exponent); };
     Points points;
     for (int k = 0; k < spec.vertices; ++k) {
-        const Vec2 direction = at_angle(1.0, angle_of(k, spec.vertices));
+        const Vec2 direction = part_of_turn(k, spec.vertices);
         const double radius =
             spec.exponent == 2.0 ? 1.0 : power(term(direction.x()) + term(direction.y()), -1.0 / spec.exponent);
         points.emplace_back(0.5 * spec.width * radius * direction.x(), 0.5 * spec.height * radius * direction.y());
@@ -117,7 +136,7 @@ Points outline_points(const std::string& name, const StickSpec& spec) {
     const Vec2 end{0.5 * (spec.length - spec.width), 0.0};
     Points points;
     for (int k = 0; k < per_end; ++k) {
-        points.emplace_back(end + at_angle(radius, k_pi * k / (per_end - 1) - 0.5 * k_pi));
+        points.emplace_back(end + radius * right_normal(part_of_turn(k, 2 * (per_end - 1))));
     }
     for (int k = 0; k < per_end; ++k) points.emplace_back(-points[static_cast<std::size_t>(k)]);
     return points;
@@ -132,7 +151,7 @@ Points outline_points(const std::string& name, const StarSpec& spec) {
     check_count(name, "points", spec.points, 3, PolarPolygon::k_max_vertices / 2);
     Points points;
     for (int k = 0; k < 2 * spec.points; ++k) {
-        points.push_back(at_angle(k % 2 == 0 ? spec.radius : spec.inner_radius, angle_of(k, 2 * spec.points)));
+        points.emplace_back((k % 2 == 0 ? spec.radius : spec.inner_radius) * part_of_turn(k, 2 * spec.points));
     }
     return points;
 }
@@ -173,30 +192,24 @@ void check(const std::string& name, const RoughSpec& spec) {
             name, spec.vertices, spec.first_mode);
 }
 
-struct FourierTerm {
-    double cosine, sine;
-};
-
 Points rough_points(const RoughSpec& spec, RandomStream random) {
     const int last_mode = std::min(spec.last_mode, spec.vertices / 2);
     // 2 M coefficients of variance 1 / (2 M): the series has variance 1/2.
     const double deviation = std::sqrt(0.5 / (last_mode - spec.first_mode + 1));
-    std::vector<FourierTerm> terms;
+    std::vector<Vec2> terms;  // amplitudes of cosine and sine
     for (int mode = spec.first_mode; mode <= last_mode; ++mode) {
         const double cosine = deviation * random.normal();
-        terms.push_back({cosine, deviation * random.normal()});
+        terms.emplace_back(cosine, deviation * random.normal());
     }
     Points points;
     for (int k = 0; k < spec.vertices; ++k) {
         double series = 0.0;
         for (std::size_t m = 0; m < terms.size(); ++m) {
-            // Angles of mode x k taken round the circle first, so that high modes lose no digit.
-            const std::int64_t turned = (spec.first_mode + static_cast<std::int64_t>(m)) * k % spec.vertices;
-            const auto [s, c] = sine_cosine(angle_of(static_cast<int>(turned), spec.vertices));
-            series += terms[m].cosine * c + terms[m].sine * s;
+            const Vec2 phase = part_of_turn((spec.first_mode + static_cast<std::int64_t>(m)) * k, spec.vertices);
+            series += terms[m].dot(phase);
         }
         const double radius = spec.radius * (1.0 + spec.roughness * std::clamp(series, -1.0, 1.0));
-        points.push_back(at_angle(radius, angle_of(k, spec.vertices)));
+        points.emplace_back(radius * part_of_turn(k, spec.vertices));
     }
     return points;
 }
