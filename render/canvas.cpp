@@ -3,6 +3,10 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <fmt/format.h>
+#include <png.h>
+
+#include <cstring>
+#include <vector>
 
 #include "src/core/error.h"
 
@@ -29,6 +33,39 @@ void settle_fonts(cairo_t* cr) {
     cairo_font_options_destroy(options);
 }
 
+/// Red, green, blue, one byte each, row by row, of a surface whose pixels are words 0xXXRRGGBB.
+std::vector<png_byte> bytes_of(cairo_surface_t* surface, int width, int height) {
+    cairo_surface_flush(surface);
+    const unsigned char* data = cairo_image_surface_get_data(surface);
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+    std::vector<png_byte> bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    png_byte* next = bytes.data();
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
+        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
+            std::uint32_t pixel = 0;
+            std::memcpy(&pixel, data + y * stride + 4 * x, sizeof pixel);
+            *next++ = static_cast<png_byte>(pixel >> 16U);
+            *next++ = static_cast<png_byte>(pixel >> 8U);
+            *next++ = static_cast<png_byte>(pixel);
+        }
+    }
+    return bytes;
+}
+
+/// Cairo's own writer would do, but takes five times as long to save an eighth of the size.
+void write_png(cairo_surface_t* surface, const std::filesystem::path& path) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(cairo_image_surface_get_width(surface));
+    image.height = static_cast<png_uint_32>(cairo_image_surface_get_height(surface));
+    image.format = PNG_FORMAT_RGB;
+    image.flags = PNG_IMAGE_FLAG_FAST;
+    const std::vector<png_byte> bytes =
+        bytes_of(surface, static_cast<int>(image.width), static_cast<int>(image.height));
+    if (png_image_write_to_file(&image, path.c_str(), 0, bytes.data(), 0, nullptr) != 0) return;
+    throw RunError(fmt::format("{}: cannot write the picture: {}", path.string(), image.message));
+}
+
 }  // namespace
 
 Canvas::Canvas(std::filesystem::path path, int width, int height)
@@ -49,7 +86,8 @@ Canvas::~Canvas() {
 
 void Canvas::finish() {
     check(cairo_status(context_));
-    if (pixels_) check(cairo_surface_write_to_png(surface_, path_.c_str()));
+    check(cairo_surface_status(surface_));
+    if (pixels_) write_png(surface_, path_);
     cairo_surface_finish(surface_);
     check(cairo_surface_status(surface_));
 }

@@ -115,7 +115,7 @@ void contact_sheet(const TrajectoryReader& recording, const FrameStyle& style, c
     const std::vector<int> chosen = spread(recording.frames(), settings.columns * settings.rows);
     const double aspect = std::clamp(style.view.height() / style.view.width(), 0.15, 2.0);
     Grid grid = grid_for(static_cast<int>(chosen.size()), aspect, settings);
-    const double letter = letter_height(grid.width());
+    const double letter = letter_height(0.8 * grid.width());
     grid.header = 2.0 * letter;
     grid.footer = 2.7 * letter;
     Canvas canvas(sheet, grid.width(), grid.height());
@@ -126,7 +126,7 @@ void contact_sheet(const TrajectoryReader& recording, const FrameStyle& style, c
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         const StoredFrame frame = recording.frame(chosen[k]);
         const Rect cell = grid.cell(static_cast<int>(k));
-        const double cell_letter = std::max(9.0, letter_height(1.6 * cell.width));
+        const double cell_letter = std::max(11.0, letter_height(2.2 * cell.width));
         draw_plot(cr, picture_of(recording.scene(), frame), style, cell, cell_letter);
         label(cr, cell, cell_letter, time_text(frame.world.time, style.time_decimals));
     }

@@ -44,7 +44,7 @@ void draw_plot(cairo_t* cr, const Picture& picture, const FrameStyle& style, con
         cairo_clip(cr);
         set_colour(cr, k_ground);
         cairo_paint(cr);
-        for (const PlacedWall& wall : picture.walls) draw_wall(cr, wall, to_paper, 0.55 * letter);
+        for (const PlacedWall& wall : picture.walls) draw_wall(cr, wall, to_paper, 0.7 * letter, plot);
         draw_grains(cr, picture, style, to_paper, plot);
         if (style.contacts) draw_contacts(cr, picture, style, to_paper, letter);
     }

@@ -24,6 +24,7 @@ void draw_text(cairo_t* cr, double x, double y, const std::string& text, Align a
     const double part = align == Align::left ? 0.0 : align == Align::centre ? 0.5 : 1.0;
     cairo_move_to(cr, x - part * text_width(cr, text), y);
     cairo_show_text(cr, text.c_str());
+    cairo_new_path(cr);  // what is drawn next must not be joined to the end of the text
 }
 
 std::string fitted(cairo_t* cr, const std::string& text, double width) {

@@ -23,6 +23,10 @@ std::vector<Vec2> on_paper(const PlacedWall& wall, const Projection& to_paper) {
 /// Unit vector to the right of the direction of travel; the paper's y runs downwards.
 Vec2 solid_side(const Vec2& from, const Vec2& to) { return left_normal(unit(to - from)); }
 
+bool closed(const std::vector<Vec2>& chain) {
+    return chain.size() > 3 && (chain.front() - chain.back()).squaredNorm() < 1e-12;
+}
+
 /// Where the solid side ends beside a corner between pieces with these normals: the mitre, not longer than 2.5 bands.
 Vec2 mitre(const Vec2& before, const Vec2& after, double band) {
     const Vec2 sum = before + after;
@@ -35,65 +39,103 @@ Vec2 mitre(const Vec2& before, const Vec2& after, double band) {
 /// Offset of each point of the chain to the far edge of the band.
 std::vector<Vec2> far_edge(const std::vector<Vec2>& chain, double band) {
     const std::size_t last = chain.size() - 1;
-    const bool closed = last > 1 && (chain.front() - chain.back()).squaredNorm() < 1e-12;
+    const bool round = closed(chain);
     std::vector<Vec2> normals;
     for (std::size_t k = 0; k < last; ++k) normals.push_back(solid_side(chain[k], chain[k + 1]));
     std::vector<Vec2> edge;
     for (std::size_t k = 0; k <= last; ++k) {
-        const Vec2& before = k > 0 ? normals[k - 1] : closed ? normals.back() : normals.front();
-        const Vec2& after = k < last ? normals[k] : closed ? normals.front() : normals.back();
+        const Vec2& before = k > 0 ? normals[k - 1] : round ? normals.back() : normals.front();
+        const Vec2& after = k < last ? normals[k] : round ? normals.front() : normals.back();
         edge.emplace_back(chain[k] + mitre(before, after, band));
     }
     return edge;
 }
 
-void trace_band(cairo_t* cr, const std::vector<Vec2>& chain, double band) {
+/// Pieces of the solid side, each as a polygon: all of the inside where the chain goes round it clockwise, otherwise a
+/// band along each piece.
+std::vector<std::vector<Vec2>> solid_polygons(const std::vector<Vec2>& chain, double band) {
+    double twice_area = 0.0;
+    for (std::size_t k = 0; k + 1 < chain.size(); ++k) twice_area += cross(chain[k], chain[k + 1]);
+    // Clockwise in the plane is counter-clockwise in numbers on paper, whose y runs downwards, and so positive.
+    if (closed(chain) && twice_area > 0.0) return {chain};
     const std::vector<Vec2> edge = far_edge(chain, band);
-    for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
-        for (const Vec2& p : {chain[k], chain[k + 1], edge[k + 1], edge[k]}) cairo_line_to(cr, p.x(), p.y());
-        cairo_close_path(cr);
-    }
+    std::vector<std::vector<Vec2>> bands;
+    for (std::size_t k = 0; k + 1 < chain.size(); ++k) bands.push_back({chain[k], chain[k + 1], edge[k + 1], edge[k]});
+    return bands;
 }
 
-/// Slanting lines all over the clip, fixed to the wall so that they move and turn with it.
-void hatch(cairo_t* cr, const Vec2& anchor, const Pose& pose, double spacing) {
-    const Saved saved(cr);
-    const cairo_matrix_t with_wall = {pose.cosine, -pose.sine, pose.sine, pose.cosine, anchor.x(), anchor.y()};
-    cairo_transform(cr, &with_wall);
-    double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
-    cairo_clip_extents(cr, &left, &top, &right, &bottom);
-    const double height = bottom - top;
-    const auto first = static_cast<long>(std::floor((left + top) / spacing));
-    const auto last = static_cast<long>(std::ceil((right + bottom) / spacing));
-    for (long k = first; k <= last; ++k) {
-        const double x = static_cast<double>(k) * spacing - top;  // on x + y = k spacing, at the top
-        cairo_move_to(cr, x, top);
-        cairo_line_to(cr, x - height, bottom);
-    }
-    cairo_stroke(cr);
+void trace(cairo_t* cr, const std::vector<Vec2>& polygon) {
+    for (const Vec2& p : polygon) cairo_line_to(cr, p.x(), p.y());
+    cairo_close_path(cr);
 }
+
+/// Slanting lines within a polygon, cut to it here: a clip would cost Cairo ten times as much. They hang on the wall,
+/// line k where x + y = k spacing in its own frame, so that they move and turn with it.
+class Hatch {
+public:
+    Hatch(const Vec2& anchor, const Pose& pose, double spacing)
+        : anchor_(anchor), across_(unit(Vec2(pose.cosine + pose.sine, pose.cosine - pose.sine))), spacing_(spacing) {}
+
+    void trace(cairo_t* cr, const std::vector<Vec2>& polygon, const Rect& plot) const {
+        double low = number_at({plot.x, plot.y}), high = low;
+        for (const Vec2& corner :
+             {Vec2(plot.right(), plot.y), Vec2(plot.x, plot.bottom()), Vec2(plot.right(), plot.bottom())}) {
+            low = std::min(low, number_at(corner));
+            high = std::max(high, number_at(corner));
+        }
+        double first = number_at(polygon.front()), last = first;
+        for (const Vec2& p : polygon) {
+            first = std::min(first, number_at(p));
+            last = std::max(last, number_at(p));
+        }
+        first = std::ceil(std::max(first, low));
+        for (double k = first; k <= std::min(last, high); k += 1.0) trace_line(cr, polygon, k);
+    }
+
+private:
+    double number_at(const Vec2& p) const { return across_.dot(p - anchor_) / spacing_; }
+
+    void trace_line(cairo_t* cr, const std::vector<Vec2>& polygon, double k) const {
+        std::vector<Vec2> cuts;
+        for (std::size_t q = 0; q < polygon.size(); ++q) {
+            const Vec2& a = polygon[q];
+            const Vec2& b = polygon[(q + 1) % polygon.size()];
+            const double from = number_at(a) - k, to = number_at(b) - k;
+            if ((from < 0.0) != (to < 0.0)) cuts.emplace_back(a + from / (from - to) * (b - a));
+        }
+        const Vec2 along = left_normal(across_);
+        std::sort(cuts.begin(), cuts.end(), [&](const Vec2& a, const Vec2& b) { return along.dot(a) < along.dot(b); });
+        for (std::size_t c = 0; c + 1 < cuts.size(); c += 2) {
+            cairo_move_to(cr, cuts[c].x(), cuts[c].y());
+            cairo_line_to(cr, cuts[c + 1].x(), cuts[c + 1].y());
+        }
+    }
+
+    Vec2 anchor_;
+    Vec2 across_;
+    double spacing_;
+};
 
 }  // namespace
 
-void draw_wall(cairo_t* cr, const PlacedWall& wall, const Projection& to_paper, double band) {
+void draw_wall(cairo_t* cr, const PlacedWall& wall, const Projection& to_paper, double band, const Rect& plot) {
     const std::vector<Vec2> chain = on_paper(wall, to_paper);
     if (chain.size() < 2) return;
-    {
-        const Saved saved(cr);
-        trace_band(cr, chain, band);
-        cairo_clip(cr);
-        set_colour(cr, k_band);
-        cairo_paint(cr);
-        set_colour(cr, k_hatch);
-        cairo_set_line_width(cr, std::max(0.6, 0.08 * band));
-        hatch(cr, to_paper(wall.pose.centre), wall.pose, 0.7 * band);
-    }
     const Saved saved(cr);
-    set_colour(cr, k_ink);
-    cairo_set_line_width(cr, std::max(1.0, 0.18 * band));
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
+    const Hatch hatch(to_paper(wall.pose.centre), wall.pose, 0.55 * band);
+    const std::vector<std::vector<Vec2>> solid = solid_polygons(chain, band);
+    for (const std::vector<Vec2>& polygon : solid) trace(cr, polygon);
+    set_colour(cr, k_band);
+    cairo_fill(cr);
+    for (const std::vector<Vec2>& polygon : solid) hatch.trace(cr, polygon, plot);
+    set_colour(cr, k_hatch);
+    cairo_set_line_width(cr, std::max(0.6, 0.07 * band));
+    cairo_stroke(cr);
     for (const Vec2& p : chain) cairo_line_to(cr, p.x(), p.y());
+    set_colour(cr, k_ink);
+    cairo_set_line_width(cr, std::max(1.0, 0.16 * band));
     cairo_stroke(cr);
 }
 

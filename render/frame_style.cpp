@@ -119,7 +119,7 @@ std::pair<double, double> colour_range(ColourBy quantity, const Scales& scales) 
     switch (quantity) {
         case ColourBy::speed: return {0.0, scales.speed};
         case ColourBy::spin: {
-            const double spin = round_up(scales.speed / scales.mean_radius);
+            const double spin = round_up(0.3 * scales.speed / scales.mean_radius);
             return {-spin, spin};
         }
         case ColourBy::angle: return {0.0, 2.0 * k_pi};

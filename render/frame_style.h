@@ -43,10 +43,10 @@ struct FrameStyle {
 /// margin. Sizes are rounded up to even numbers, as movies need. A height of zero follows from the view, between a
 /// fifth and 4/3 of the width; where the view has another aspect it is shown whole and centred.
 /// The colour scale is colour_max, or from the scene alone: for speed the next round number above
-/// 0.4 sqrt(2 g H), H the largest drop, above the greatest initial speed and the greatest wall speed; for spin that
-/// speed over the mean outer radius, both ways; for kinetic energy, that of a mean grain at that speed; for size the
-/// least and the greatest outer radius. The impulse scale is a mean grain's mass times the speed at the upper end.
-/// InputError for a colour that is not known.
+/// 0.4 sqrt(2 g H), H the largest drop, above the greatest initial speed and the greatest wall speed; for spin 0.3
+/// of that speed over the mean outer radius, both ways; for kinetic energy, that of a mean grain at that speed; for
+/// size the least and the greatest outer radius. The impulse scale is a mean grain's mass times the speed at the upper
+/// end. InputError for a colour that is not known.
 FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title);
 
 }  // namespace polargrain

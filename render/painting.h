@@ -58,8 +58,8 @@ Colour fill_of(const FrameStyle& style, const Scene& scene, const Grains& grains
 void trace(cairo_t* cr, const Shape& shape, const Pose& pose, const Projection& to_paper);
 void draw_grains(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Projection& to_paper,
                  const Rect& plot);
-/// band: thickness of the hatched side [pixel].
-void draw_wall(cairo_t* cr, const PlacedWall& wall, const Projection& to_paper, double band);
+/// band: thickness of the hatched side [pixel]; plot: where there is something to be seen.
+void draw_wall(cairo_t* cr, const PlacedWall& wall, const Projection& to_paper, double band, const Rect& plot);
 void draw_contacts(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Projection& to_paper,
                    double letter);
 /// All of it, clipped to the plot, in a thin frame.
