@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -9,14 +10,33 @@
 
 namespace polargrain {
 
-/// Calls visit(k) in rising order for each vertex k of the grain that can lie within `circle_radius` [m] of the origin
-/// of the frame that the grain's pose is given in: those beyond the tangent line of that circle [HN94, Fig. 4].
-/// Stops and returns true at the first visit that returns true.
+/// How far the grain reaches from its centre of mass along a unit direction of its own frame [m].
+inline double reach_along(const PolarPolygon& grain, const Vec2& direction) {
+    const double dx = direction.x();
+    const double dy = direction.y();
+    const double* x = grain.x();
+    const double* y = grain.y();
+    // Four chains of comparisons, which do not wait for one another; a vertex counted twice does no harm.
+    double reach[4] = {0.0, 0.0, 0.0, 0.0};
+    const int n = grain.size();
+    for (int k = 0; k < n; k += 4) {
+        for (int c = 0; c < 4; ++c) {
+            const int v = k + c < n ? k + c : n;
+            reach[c] = std::max(reach[c], x[v] * dx + y[v] * dy);
+        }
+    }
+    return std::max(std::max(reach[0], reach[1]), std::max(reach[2], reach[3]));
+}
+
+/// Calls visit(k) in rising order for each vertex k of the grain that can lie in another body, which stands about the
+/// origin of the frame that the grain's pose is given in and reaches `other_reach` [m] towards the grain: the vertices
+/// beyond the line across the way at that distance [HN94, Fig. 4]. Stops and returns true at the first visit that
+/// returns true.
 template <typename Visit>
-bool any_facing_vertex(const PolarPolygon& grain, const Pose& pose, double circle_radius, Visit visit) {
+bool any_facing_vertex(const PolarPolygon& grain, const Pose& pose, double other_reach, Visit visit) {
     const double distance = std::sqrt(pose.centre.squaredNorm());
     const Vec2 towards = distance > 0.0 ? Vec2(pose.turned_back(-pose.centre / distance)) : Vec2(Vec2::Zero());
-    const double limit = distance - circle_radius;
+    const double limit = distance - other_reach;
     const double tx = towards.x();
     const double ty = towards.y();
     const double* x = grain.x();
@@ -33,6 +53,12 @@ bool any_facing_vertex(const PolarPolygon& grain, const Pose& pose, double circl
         }
     }
     return false;
+}
+
+/// The same for another polygon: how far it reaches towards a grain at the given pose in its frame.
+inline double reach_towards(const PolarPolygon& other, const Pose& pose) {
+    const double distance = std::sqrt(pose.centre.squaredNorm());
+    return distance > 0.0 ? reach_along(other, pose.centre / distance) : other.outer_radius();
 }
 
 }  // namespace polargrain

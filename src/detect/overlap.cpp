@@ -17,12 +17,12 @@ double distance_squared(const Vec2& point, const Vec2& a, const Vec2& b) {
     return (a + s * along - point).squaredNorm();
 }
 
-/// Calls visit(p, q) for each edge of `grain`, in the frame of a circle about the origin, that can reach the circle:
-/// those with an end that faces it. Stops at the first true.
+/// Calls visit(p, q) for each edge of `grain` that can reach a body about the origin of the pose's frame: those with an
+/// end that faces it, see any_facing_vertex. Stops at the first true.
 template <typename Visit>
-bool any_facing_edge(const PolarPolygon& grain, const Pose& pose, double circle_radius, Visit visit) {
+bool any_facing_edge(const PolarPolygon& grain, const Pose& pose, double other_reach, Visit visit) {
     int last_end = -1;
-    return any_facing_vertex(grain, pose, circle_radius, [&](int k) {
+    return any_facing_vertex(grain, pose, other_reach, [&](int k) {
         const Vec2 v = pose.to_world(grain.vertex(k));
         // The edge before ends here; it has been visited if the vertex before faces too.
         if (last_end != k && visit(pose.to_world(grain.vertex(grain.previous(k))), v)) return true;
@@ -56,6 +56,11 @@ bool overlap_pair(const Disk& a, const Pose& pose_a, const PolarPolygon& b, cons
     return overlap_pair(b, pose_b, a, pose_a);
 }
 
+/// Is a point at the squared distance d2 from the centre of mass deep inside the grain?
+bool holds_centre(const PolarPolygon& grain, const Pose& pose, const Vec2& point, double d2, double tolerance) {
+    return d2 < grain.outer_radius() * grain.outer_radius() && grain.depth(pose.to_local(point)) > tolerance;
+}
+
 bool overlap_pair(const PolarPolygon& a, const Pose& pose_a, const PolarPolygon& b, const Pose& pose_b) {
     const double d2 = (pose_b.centre - pose_a.centre).squaredNorm();
     const double reach = a.outer_radius() + b.outer_radius();
@@ -64,10 +69,12 @@ bool overlap_pair(const PolarPolygon& a, const Pose& pose_a, const PolarPolygon&
     const double sure = a.inner_radius() + b.inner_radius() - tolerance;
     if (d2 < sure * sure) return true;
     // Overlapping without the outlines meeting means one inside the other, centre and all.
-    if (a.depth(pose_a.to_local(pose_b.centre)) > tolerance || b.depth(pose_b.to_local(pose_a.centre)) > tolerance) {
+    if (holds_centre(a, pose_a, pose_b.centre, d2, tolerance) ||
+        holds_centre(b, pose_b, pose_a.centre, d2, tolerance)) {
         return true;
     }
-    return any_facing_edge(a, pose_a.relative_to(pose_b), b.outer_radius(),
+    const Pose relative = pose_a.relative_to(pose_b);
+    return any_facing_edge(a, relative, reach_towards(b, relative),
                            [&](const Vec2& p, const Vec2& q) { return piece_enters(b, p, q, tolerance); });
 }
 

@@ -23,7 +23,7 @@ public:
     double radius(GrainIndex k) const { return radii_[Grains::at(k)]; }
 
 private:
-    static constexpr double k_margin = 0.15;
+    static constexpr double k_margin = 0.2;
 
     std::vector<double> radii_;
     std::vector<Vec2> built_at_;

@@ -8,7 +8,7 @@ void vertices_inside(const PolarPolygon& owner, const PolarPolygon& other, const
                      std::vector<InsideVertex>& found) {
     found.clear();
     const double reach = other.outer_radius() * other.outer_radius();
-    any_facing_vertex(owner, relative, other.outer_radius(), [&](int k) {
+    any_facing_vertex(owner, relative, reach_towards(other, relative), [&](int k) {
         const Vec2 p = relative.to_world(owner.vertex(k));
         if (p.squaredNorm() >= reach) return false;
         const int sector = other.sector_of(p);
