@@ -3,10 +3,9 @@
 #include <cmath>
 
 #include "src/cli/commands.h"
-#include "src/cli/engine_table.h"
+#include "src/cli/prepared_run.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/run_report.h"
-#include "src/core/error.h"
 
 namespace polargrain {
 
@@ -36,12 +35,10 @@ void print_estimate(const Scenario& scenario, double dt) {
 }  // namespace
 
 int check_command(const CheckRequest& request) {
-    const Scenario scenario = load_scenario(find_scenario(request.scenario), request.overrides);
-    const EngineEntry& entry = find_engine(scenario.run.engine);
-    const TimeStep time_step = choose_time_step(scenario.run, *entry.make(scenario.scene));
-    warn_of_large_step(time_step);
-    print_plan(scenario, time_step);
-    print_estimate(scenario, time_step.dt);
+    const PreparedRun run = prepare_run(request.scenario, request.overrides);
+    warn_of_large_step(run.time_step);
+    print_plan(run.scenario, run.time_step);
+    print_estimate(run.scenario, run.time_step.dt);
     return k_exit_done;
 }
 

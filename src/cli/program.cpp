@@ -87,8 +87,7 @@ void add_shape(CLI::App& app, ShapeRequest& request, Action& action) {
     command->add_flag("--force", request.force, "replace a picture of that name");
     command->footer(
         "Examples:\n"
-        "  polargrain list shapes\n"
-        "  polargrain shape gear\n"
+        "  polargrain shape gear          (polargrain list shapes tells which there are)\n"
         "  polargrain shape gear -o out/gear.png --force");
     command->callback([&] { action = [&] { return shape_command(request); }; });
 }

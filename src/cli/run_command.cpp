@@ -8,8 +8,8 @@
 
 #include "render/frames_sink.h"
 #include "src/cli/commands.h"
-#include "src/cli/engine_table.h"
 #include "src/cli/interrupt.h"
+#include "src/cli/prepared_run.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/run_folder.h"
 #include "src/cli/run_report.h"
@@ -61,10 +61,11 @@ std::vector<std::unique_ptr<Sink>> make_sinks(const fs::path& folder, const Outp
 }
 
 /// Replaces the scene's grains by the settled ones; returns the engine's memory of how they touch.
-Checkpoint settle_scene(Scenario& scenario, const EngineEntry& engine, double dt, DisplayMode mode) {
+Checkpoint settle_scene(PreparedRun& run, DisplayMode mode) {
+    Scenario& scenario = run.scenario;
     ProgressDisplay display("settling", mode);
     const LoopControl control{&watch_interrupts(), [&](const Progress& progress) { display.show(progress); }};
-    Settled settled = settle(scenario.scene, *scenario.settle, dt, engine.make, control);
+    Settled settled = settle(scenario.scene, *scenario.settle, run.time_step.dt, run.engine.make, control);
     scenario.scene.grains = std::move(settled.grains);
     if (mode != DisplayMode::none) {
         fmt::print("settling: {} after {:.4g} s, kinetic energy per grain {:.2g} m g R_max\n",
@@ -73,16 +74,17 @@ Checkpoint settle_scene(Scenario& scenario, const EngineEntry& engine, double dt
     return std::move(settled.engine);
 }
 
-int run_into(const fs::path& folder, Scenario& scenario, const EngineEntry& entry, double dt,
-             const RunRequest& request) {
+int run_into(const fs::path& folder, PreparedRun& run, const RunRequest& request) {
+    Scenario& scenario = run.scenario;
+    const double dt = run.time_step.dt;
     const DisplayMode mode = display_mode(request.quiet);
     TextFile resolved(folder / "scenario.toml");
     resolved.write(scenario.resolved_toml);
     resolved.close();
 
     std::optional<Checkpoint> settled;
-    if (scenario.settle) settled = settle_scene(scenario, entry, dt, mode);
-    const std::unique_ptr<Engine> engine = entry.make(scenario.scene);
+    if (scenario.settle) settled = settle_scene(run, mode);
+    const std::unique_ptr<Engine> engine = run.engine.make(scenario.scene);
     if (settled) engine->load(*settled);
 
     RunInfo info = describe_run(scenario.scene, *engine, dt, scenario.run.duration);
@@ -111,28 +113,21 @@ int run_into(const fs::path& folder, Scenario& scenario, const EngineEntry& entr
     return k_exit_interrupted;
 }
 
-fs::path folder_of(const RunRequest& request, const fs::path& scenario_file) {
-    return request.folder ? *request.folder : fs::path("out") / scenario_file.stem();
-}
-
 }  // namespace
 
 int run_command(const RunRequest& request) {
-    const fs::path file = find_scenario(request.scenario);
-    Scenario scenario = load_scenario(file, request.overrides);
-    const fs::path folder = folder_of(request, file);
+    PreparedRun run = prepare_run(request.scenario, request.overrides);
+    const fs::path folder = request.folder ? *request.folder : fs::path("out") / run.file.stem();
     check_run_folder(folder, request.force);
-    const EngineEntry& entry = find_engine(scenario.run.engine);
-    const TimeStep time_step = choose_time_step(scenario.run, *entry.make(scenario.scene));
-    warn_of_large_step(time_step);
-    if (!request.quiet) print_plan(scenario, time_step);
+    warn_of_large_step(run.time_step);
+    if (!request.quiet) print_plan(run.scenario, run.time_step);
 
     create_run_folder(folder);
     try {
-        return run_into(folder, scenario, entry, time_step.dt, request);
-    } catch (const InputError&) {
+        return run_into(folder, run, request);
+    } catch (const InputError& error) {
         discard_run_folder(folder);
-        throw;
+        throw InputError(SourceLocation{.file = run.file.string(), .line = 0, .column = 0}, error.what());
     } catch (const std::exception& error) {
         throw RunError(fmt::format("{}\nwhat was written before is in {}; to repeat the run: {}{}", error.what(),
                                    folder.string(), request.command_line, request.force ? "" : " --force"));

@@ -105,30 +105,33 @@ TEST_P(Broken, IsRefusedWithItsPlaceAndLeavesNoFolder) {
     EXPECT_EQ(run_polargrain({"check", "broken.toml"}, scratch.path()).exit_code, 2);
 }
 
-BrokenFile with(const char* name, const char* piece, const char* by, const char* says) {
+BrokenFile changed(const char* name, const char* piece, const char* by, const char* says) {
     return {name, replaced(k_three_disks, piece, by), says};
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Broken,
-                         testing::Values(BrokenFile{"empty", "", "run"}, BrokenFile{"no_toml", "title = = 3\n", ":1:"},
-                                         BrokenFile{"binary",
-                                                    std::string("\x7f"
-                                                                "ELF\0\1\2",
-                                                                7),
-                                                    ":1:"},
-                                         with("unknown_key", "density", "densty", "density"),
-                                         with("unknown_table", "[run]", "[runn]", "run"),
-                                         with("wrong_type", "duration = 0.05", "duration = \"long\"", "duration"),
-                                         with("negative", "radius = 0.01", "radius = -0.01", "radius"),
-                                         with("not_a_number", "density = 2000.0", "density = nan", "density"),
-                                         with("restitution_above_one", "mean = 0.5", "mean = 1.5", "mean"),
-                                         with("unknown_material", "material = \"stone\"", "material = \"ston\"",
-                                              "stone"),
-                                         with("unknown_shape", "shape = \"disk\"", "shape = \"dist\"", "disk"),
-                                         with("overlap", "step = [0.025, 0.0]", "step = [0.015, 0.0]", "overlap"),
-                                         with("in_the_floor", "start = [0.0, 0.011]", "start = [0.0, 0.005]", "floor"),
-                                         with("missing_key", "radius = 0.01", "", "radius")),
-                         [](const auto& file) { return file.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Files, Broken,
+    testing::Values(BrokenFile{"empty", "", "run.time_step"},
+                    BrokenFile{"settle_without_gravity",
+                               replaced(k_three_disks, "[materials", "gravity = 0.0\n[settle]\n[materials"), "gravity"},
+                    BrokenFile{"no_toml", "title = = 3\n", ":1:"},
+                    BrokenFile{"binary",
+                               std::string("\x7f"
+                                           "ELF\0\1\2",
+                                           7),
+                               ":1:"},
+                    changed("unknown_key", "density", "densty", "density"),
+                    changed("unknown_table", "[run]", "[runn]", "run"),
+                    changed("wrong_type", "duration = 0.05", "duration = \"long\"", "duration"),
+                    changed("negative", "radius = 0.01", "radius = -0.01", "radius"),
+                    changed("not_a_number", "density = 2000.0", "density = nan", "density"),
+                    changed("restitution_above_one", "mean = 0.5", "mean = 1.5", "mean"),
+                    changed("unknown_material", "material = \"stone\"", "material = \"ston\"", "stone"),
+                    changed("unknown_shape", "shape = \"disk\"", "shape = \"dist\"", "disk"),
+                    changed("overlap", "step = [0.025, 0.0]", "step = [0.015, 0.0]", "overlap"),
+                    changed("in_the_floor", "start = [0.0, 0.011]", "start = [0.0, 0.005]", "floor"),
+                    changed("missing_key", "radius = 0.01", "", "radius")),
+    [](const auto& file) { return file.param.name; });
 
 }  // namespace
 }  // namespace polargrain

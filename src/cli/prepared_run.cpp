@@ -1,0 +1,21 @@
+#include "src/cli/prepared_run.h"
+
+#include "src/core/error.h"
+
+namespace polargrain {
+
+PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& overrides) {
+    std::filesystem::path file = find_scenario(scenario);
+    Scenario loaded = load_scenario(file, overrides);
+    try {
+        const EngineEntry& engine = find_engine(loaded.run.engine);
+        TimeStep time_step = choose_time_step(loaded.run, *engine.make(loaded.scene));
+        // Asked here for the sake of its own check, so that nothing is written for a run that can never end.
+        step_count(loaded.run.duration, time_step.dt);
+        return {std::move(file), std::move(loaded), engine, std::move(time_step)};
+    } catch (const InputError& error) {
+        throw InputError(SourceLocation{.file = file.string(), .line = 0, .column = 0}, error.what());
+    }
+}
+
+}  // namespace polargrain

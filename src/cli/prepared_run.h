@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenarios/reader.h"
+#include "src/cli/engine_table.h"
+#include "src/run/time_step.h"
+
+namespace polargrain {
+
+/// A scenario that is read and checked, with the engine and the time step it will run with.
+struct PreparedRun {
+    std::filesystem::path file;
+    Scenario scenario;
+    const EngineEntry& engine;
+    TimeStep time_step;
+};
+
+/// Reads the scenario (a file, or the name of a shipped one) and decides engine and time step. InputError names the
+/// file. No side effects.
+PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& overrides);
+
+}  // namespace polargrain
