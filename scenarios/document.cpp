@@ -26,6 +26,11 @@ PathStep step_of(const std::string& origin, const std::string& word, bool bracke
     return step;
 }
 
+std::string trimmed(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 /// Splits "walls[0].points" or "walls.0.points".
 std::vector<PathStep> split_path(const std::string& origin, const std::string& path) {
     std::vector<PathStep> steps;
@@ -128,7 +133,7 @@ void Document::apply(const ScenarioOverrides& overrides) {
         const std::size_t equals = text.find('=');
         require(equals != std::string::npos, "{}: has no \"=\"; write key.path=value, for example run.duration=2",
                 origin);
-        assign(origin, text.substr(0, equals), text.substr(equals + 1));
+        assign(origin, trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)));
     }
     if (overrides.engine) assign("--engine " + *overrides.engine, "run.engine", *overrides.engine);
     if (overrides.seed) assign(fmt::format("--seed {}", *overrides.seed), "run.seed", std::to_string(*overrides.seed));

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "scenarios/sections.h"
 #include "scenarios/toml_text.h"
 #include "shapes/library.h"
@@ -42,7 +40,7 @@ SuperellipseSpec read_superellipse(TableReader& table) {
     SuperellipseSpec spec;
     spec.width = table.number("width", k_positive);
     spec.height = table.number("height", k_positive);
-    spec.exponent = table.number("exponent", {0.1, 100.0, "between 0.1 and 100"}, spec.exponent);
+    spec.exponent = table.number("exponent", k_positive, spec.exponent);
     spec.vertices = read_count(table, "vertices", 3, spec.vertices);
     return spec;
 }
@@ -51,9 +49,6 @@ StickSpec read_stick(TableReader& table) {
     StickSpec spec;
     spec.length = table.number("length", k_positive);
     spec.width = table.number("width", k_positive);
-    if (spec.width > spec.length) {
-        table.fail("width", fmt::format("is {}, more than the length {}; swap them", spec.width, spec.length));
-    }
     spec.vertices = read_count(table, "vertices", 4, spec.vertices);
     return spec;
 }
@@ -69,7 +64,7 @@ StarSpec read_star(TableReader& table) {
 RoughSpec read_rough(TableReader& table) {
     RoughSpec spec;
     spec.radius = table.number("radius", k_positive);
-    spec.roughness = table.number("roughness", {0.0, 0.95, "between 0 and 0.95"});
+    spec.roughness = table.number("roughness", k_fraction);
     spec.vertices = read_count(table, "vertices", 3, spec.vertices);
     const std::vector<std::int64_t> modes =
         table.integers("modes", 1, 1000, std::vector<std::int64_t>{spec.first_mode, spec.last_mode});

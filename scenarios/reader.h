@@ -14,9 +14,9 @@ namespace polargrain {
 struct ScenarioOverrides {
     std::vector<std::string>
         set;  ///< "key.path=value", value in TOML, e.g. "run.duration=2", "walls[0].points=[[0,0],[1,0]]"
-    std::optional<std::string> engine;
-    std::optional<std::uint64_t> seed;
-    std::optional<int> threads;
+    std::optional<std::string> engine = std::nullopt;
+    std::optional<std::uint64_t> seed = std::nullopt;
+    std::optional<int> threads = std::nullopt;
     bool no_frames = false;
 };
 
