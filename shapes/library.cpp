@@ -64,7 +64,7 @@ private:
 
     std::string text(const char* key) const {
         const toml::node* node = root_.get(key);
-        if (node == nullptr) throw InputError(SourceLocation{path_}, fmt::format("add a line {} = \"...\"", key));
+        if (node == nullptr) throw InputError(SourceLocation{path_}, fmt::format(R"(add a line {} = "...")", key));
         const auto value = node->value_exact<std::string>();
         if (!value || value->empty()) fail(*node, fmt::format("{}: give a text in quotes", key));
         return *value;
@@ -78,7 +78,7 @@ private:
         if (unit == "cm") return 1e-2;
         if (unit == "mm") return 1e-3;
         if (unit == "um") return 1e-6;
-        fail(*node, fmt::format("unit: \"{}\" is none of \"m\", \"cm\", \"mm\", \"um\"", unit));
+        fail(*node, fmt::format(R"(unit: "{}" is none of "m", "cm", "mm", "um")", unit));
     }
 
     double number(const toml::node& node, const char* what) const {
@@ -115,7 +115,7 @@ private:
         std::vector<Vec2> all;
         all.reserve(entries->size());
         for (std::size_t k = 0; k < entries->size(); ++k) {
-            all.push_back(metres_per_unit() * point(key, *entries->get(k), k, entries->size()));
+            all.emplace_back(metres_per_unit() * point(key, *entries->get(k), k, entries->size()));
         }
         return all;
     }

@@ -32,13 +32,13 @@ Vec2 at_angle(double radius, double angle) {
 
 // Direction of the k-th of `count` equal parts of a turn. Worked out within an eighth of a turn, so that directions
 // on the axes are exact and mirror images match to the bit.
-Vec2 part_of_turn(std::int64_t k, std::int64_t count) {
+Vec2 part_of_turn(std::int64_t k, int count) {
     const std::int64_t quarter = 4 * k / count % 4;
     const std::int64_t rest = 4 * k % count;
     const bool past_diagonal = 2 * rest > count;
     const double share = static_cast<double>(past_diagonal ? count - rest : rest) / static_cast<double>(count);
     const auto [s, c] = sine_cosine(0.5 * k_pi * share);
-    const Vec2 direction = past_diagonal ? Vec2(s, c) : Vec2(c, s);
+    Vec2 direction = past_diagonal ? Vec2(s, c) : Vec2(c, s);
     switch (quarter) {
         case 0: return direction;
         case 1: return left_normal(direction);

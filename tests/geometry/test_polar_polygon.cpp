@@ -174,6 +174,17 @@ TEST(PolarPolygon, FindsSectorsNarrowerThanTheRoundOffOfTheTable) {
     }
 }
 
+// Bins begin at pseudo-angles that are multiples of 1/4, here on the ray through (3, 1). The point lies clockwise of
+// it by less than the sum of its coordinates can show.
+TEST(PolarPolygon, FindsTheSectorBeforeARayWhereRoundOffPutsThePointBeyondIt) {
+    const std::vector<Vec2> points = {{3.0, 1.0}, {0.0, 3.0}, {-3.0, -1.0}, {1.0, -3.0}};
+    const PolarPolygon polygon("it", points, k_any_mass);
+    const Vec2 p{0.75, std::nextafter(0.25, 0.0)};
+    ASSERT_EQ(p.x() + p.y(), 1.0);
+    EXPECT_EQ(polygon.sector_of(p), 3);
+    EXPECT_EQ(polygon.sector_of({0.75, 0.25}), 0);
+}
+
 TEST(PolarPolygon, VerticesOnAStraightSideAreFine) {
     const std::vector<Vec2> bar = {{-2.0, -1.0}, {0.0, -1.0}, {1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {-2.0, 1.0}};
     const PolarPolygon polygon("bar", bar, {8.0, Vec2::Zero(), 40.0 / 3.0});
