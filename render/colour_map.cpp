@@ -7,8 +7,8 @@ namespace polargrain {
 
 namespace {
 
-constexpr std::array<Colour, 17> k_viridis = {{{0.267004, 0.004874, 0.329415},
-                                               {0.282327, 0.094955, 0.417331},
+/// From index 16 of 256 on.
+constexpr std::array<Colour, 16> k_viridis = {{{0.282327, 0.094955, 0.417331},
                                                {0.278826, 0.175490, 0.483397},
                                                {0.258965, 0.251537, 0.524736},
                                                {0.229739, 0.322361, 0.545706},

@@ -17,8 +17,9 @@ inline double brightness(const Colour& c) { return 0.2126 * c.r + 0.7152 * c.g +
 inline Colour darker(const Colour& c, double factor) { return {c.r * factor, c.g * factor, c.b * factor}; }
 
 /// Evenly spaced colours from the least to the greatest value, to be interpolated linearly:
-/// viridis (van der Walt & Smith 2015) for amounts, a blue-white-red map (ColorBrewer RdBu) for spin, and a map that
-/// ends as it begins, after matplotlib's twilight, for angles. Empty where the quantity is none or has no scale.
+/// viridis (van der Walt & Smith 2015) without its darkest sixteenth, in which outlines would drown, for amounts, a
+/// blue-white-red map (ColorBrewer RdBu) for spin, and a map that ends as it begins, after matplotlib's twilight, for
+/// angles. Empty where the quantity is none or has no scale.
 std::span<const Colour> colour_anchors(ColourBy quantity);
 
 /// The colour at a place of the scale; beyond the ends the end colours.

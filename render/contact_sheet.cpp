@@ -45,11 +45,27 @@ private:
     static int even(double pixels) { return 2 * static_cast<int>(std::ceil(0.5 * pixels - 1e-9)); }
 };
 
-/// aspect: height of a cell over its width.
+/// How far a grid is from a sheet 3/4 as high as wide without empty places; aspect: height of a cell over its width.
+double misfit(int cells, int columns, double aspect) {
+    const int rows = (cells + columns - 1) / columns;
+    const double shape = rows * aspect / (columns * 0.75);
+    const double empty = static_cast<double>(rows * columns - cells) / cells;
+    return std::abs(std::log(shape)) + 2.0 * empty;
+}
+
+int fitting_columns(int cells, double aspect) {
+    int best = 1;
+    for (int columns = 2; columns <= cells; ++columns) {
+        if (misfit(cells, columns, aspect) < misfit(cells, best, aspect)) best = columns;
+    }
+    return best;
+}
+
 Grid grid_for(int cells, double aspect, const ContactSheetSettings& settings) {
     Grid grid;
-    grid.columns = std::min(settings.columns, std::max(1, cells));
-    grid.rows = std::max(1, (cells + grid.columns - 1) / grid.columns);
+    cells = std::max(1, cells);
+    grid.columns = settings.columns > 0 ? std::min(settings.columns, cells) : fitting_columns(cells, aspect);
+    grid.rows = (cells + grid.columns - 1) / grid.columns;
     grid.gap = std::floor(0.008 * settings.width);
     grid.cell_width = std::floor((settings.width - grid.gap) / static_cast<double>(grid.columns) - grid.gap);
     grid.cell_height = std::floor(aspect * grid.cell_width);
@@ -95,7 +111,7 @@ void label(cairo_t* cr, const Rect& cell, double letter, const std::string& text
 void contact_sheet(const std::filesystem::path& frames_folder, const std::filesystem::path& sheet,
                    const ContactSheetSettings& settings) {
     const std::vector<IndexRow> rows = read_index(frames_folder);
-    const std::vector<int> chosen = spread(static_cast<int>(rows.size()), settings.columns * settings.rows);
+    const std::vector<int> chosen = spread(static_cast<int>(rows.size()), settings.count);
     const Image first(rows.front().file);
     const Grid grid = grid_for(static_cast<int>(chosen.size()), first.height() / first.width(), settings);
     Canvas canvas(sheet, grid.width(), grid.height());
@@ -112,7 +128,7 @@ void contact_sheet(const std::filesystem::path& frames_folder, const std::filesy
 
 void contact_sheet(const TrajectoryReader& recording, const FrameStyle& style, const std::filesystem::path& sheet,
                    const ContactSheetSettings& settings) {
-    const std::vector<int> chosen = spread(recording.frames(), settings.columns * settings.rows);
+    const std::vector<int> chosen = spread(recording.frames(), settings.count);
     const double aspect = std::clamp(style.view.height() / style.view.width(), 0.15, 2.0);
     Grid grid = grid_for(static_cast<int>(chosen.size()), aspect, settings);
     const double letter = letter_height(0.8 * grid.width());

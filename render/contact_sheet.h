@@ -8,14 +8,14 @@
 namespace polargrain {
 
 struct ContactSheetSettings {
-    int columns = 4;
-    int rows = 3;
+    int count = 12;    ///< frames to show
+    int columns = 0;   ///< 0: as many as make the sheet about 3/4 as high as wide
     int width = 1920;  ///< [pixel] of the whole sheet
 };
 
-/// One PNG with columns x rows frames, spread evenly from the first to the last, of a folder that FramesSink filled
-/// with PNG files; each with its time. Fewer frames than places fill a smaller grid. InputError where the folder has
-/// no index.csv or no PNG frames, RunError where the sheet cannot be written.
+/// One PNG with `count` frames, spread evenly from the first to the last, of a folder that FramesSink filled with PNG
+/// files; each with its time. All are shown where there are fewer. InputError where the folder has no index.csv or no
+/// PNG frames, RunError where the sheet cannot be written.
 void contact_sheet(const std::filesystem::path& frames_folder, const std::filesystem::path& sheet,
                    const ContactSheetSettings& settings = {});
 

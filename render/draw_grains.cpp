@@ -31,6 +31,7 @@ struct Tracer {
         cairo_arc(cr, centre.x(), centre.y(), disk.radius() * to_paper.scale(), 0.0, 2.0 * k_pi);
     }
     void operator()(const PolarPolygon& polygon) const {
+        cairo_new_sub_path(cr);
         for (int q = 0; q < polygon.size(); ++q) {
             const Vec2 p = to_paper(pose.to_world(polygon.vertex(q)));
             cairo_line_to(cr, p.x(), p.y());

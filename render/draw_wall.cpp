@@ -65,6 +65,7 @@ std::vector<std::vector<Vec2>> solid_polygons(const std::vector<Vec2>& chain, do
 }
 
 void trace(cairo_t* cr, const std::vector<Vec2>& polygon) {
+    cairo_new_sub_path(cr);
     for (const Vec2& p : polygon) cairo_line_to(cr, p.x(), p.y());
     cairo_close_path(cr);
 }

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "render/layout.h"
 #include "render/round_number.h"
@@ -88,9 +90,10 @@ double speed_scale(const Scene& scene) {
     const double g = std::sqrt(scene.gravity.squaredNorm());
     // 0.4: grains that fall freely all the way are few, and a scale made for them shows the rest in one colour.
     double speed = 0.4 * std::sqrt(2.0 * g * largest_drop(scene).height);
-    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
-        speed = std::max(speed, std::sqrt(scene.grains.velocity(k).squaredNorm()));
-    }
+    double squares = 0.0;
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) squares += scene.grains.velocity(k).squaredNorm();
+    // By the mean square, for the same reason: one grain that is shot into a bed at rest must not set the scale.
+    if (!scene.grains.empty()) speed = std::max(speed, 1.5 * std::sqrt(squares / scene.grains.size()));
     for (const Wall& wall : scene.walls) speed = std::max(speed, largest_speed(wall));
     return speed > 0.0 ? round_up(speed) : 1.0;
 }

@@ -42,11 +42,12 @@ struct FrameStyle {
 /// The view is the given one, or all walls (with the reach of their motions) and all grains at time zero with a
 /// margin. Sizes are rounded up to even numbers, as movies need. A height of zero follows from the view, between a
 /// fifth and 4/3 of the width; where the view has another aspect it is shown whole and centred.
-/// The colour scale is colour_max, or from the scene alone: for speed the next round number above
-/// 0.4 sqrt(2 g H), H the largest drop, above the greatest initial speed and the greatest wall speed; for spin 0.3
-/// of that speed over the mean outer radius, both ways; for kinetic energy, that of a mean grain at that speed; for
-/// size the least and the greatest outer radius. The impulse scale is a mean grain's mass times the speed at the upper
-/// end. InputError for a colour that is not known.
+/// The colour scale is colour_max, or from the scene alone. Its upper end for speed: the next round number above
+/// 0.4 sqrt(2 g H), H the largest drop, above 1.5 times the root mean square of the initial speeds and above the
+/// greatest wall speed; for spin 0.3 of that speed over the mean outer radius, both ways; for kinetic energy that of a
+/// mean grain at that speed; for size from the least to the greatest outer radius. The impulse scale is a mean grain's
+/// mass times that speed.
+/// InputError for a colour that is not known.
 FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title);
 
 }  // namespace polargrain
