@@ -36,7 +36,7 @@ THIRD_PARTY = {
     r"toml\+\+/|toml\.hpp": {"shapes", "scenarios"},
     r"hdf5": {"src/record", "tests"},
     r"nlohmann/": {"src/record", "src/cli", "tests"},
-    r"cairo": {"render", "tests"},
+    r"cairo|png\.h|zlib\.h": {"render", "tests"},
     r"CLI/": {"src/cli"},
     r"gtest/|gmock/": {"tests"},
     r"benchmark/": {"bench"},

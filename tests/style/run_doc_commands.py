@@ -41,7 +41,7 @@ def failures(document, top, program):
 
 
 def main():
-    top, program = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
+    top, program = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     documents = [*sorted(top.glob("*.md")), *sorted(top.glob("docs/*.md"))]
     if not any(list(commands(d.read_text())) for d in documents):
         print("no sample command found: the search itself is broken")
