@@ -116,10 +116,12 @@ void require_simple(const std::string& name, std::span<const Vec2> points) {
     if (CGAL::is_simple_2(outline.begin(), outline.end(), Kernel())) return;
     const std::size_t n = points.size();
     const auto edges = crossing_edges(outline);
-    require(!edges,
+    if (edges) {
+        throw InputError(fmt::format(
             "shape \"{}\": the outline crosses or touches itself: edge {} meets edge {} (vertices count from 0); "
             "move a vertex, or give the points in the order in which they follow one another round the grain",
-            name, edge_name(edges->first, n), edge_name(edges->second, n));
+            name, edge_name(edges->first, n), edge_name(edges->second, n)));
+    }
     broken_invariant("an outline that is not simple has two edges that meet", __FILE__, __LINE__, name);
 }
 

@@ -162,13 +162,14 @@ Points outline_points(const std::string& name, const PolarSpec& spec) {
     Points points;
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         const auto [radius, angle] = vertices[k];
+        const double angle_before = vertices[k == 0 ? 0 : k - 1].second;
         require(std::isfinite(radius) && radius > 0.0,
                 "shape \"{}\": the radius of vertex {} is {}: give a finite length above 0 [m]", name, k, radius);
         require(std::isfinite(angle), "shape \"{}\": the angle of vertex {} is {}: give a finite number", name, k,
                 angle);
-        require(k == 0 || angle > vertices[k - 1].second,
+        require(k == 0 || angle > angle_before,
                 "shape \"{}\": vertex {} is at {} degrees, not beyond the vertex before it at {}: angles must rise",
-                name, k, angle / k_radians_per_degree, vertices[k - 1].second / k_radians_per_degree);
+                name, k, angle / k_radians_per_degree, angle_before / k_radians_per_degree);
         require(angle - vertices[0].second < 2.0 * k_pi,
                 "shape \"{}\": vertex {} is at {} degrees, a full turn or more beyond vertex 0: stay within one turn",
                 name, k, angle / k_radians_per_degree);
