@@ -21,8 +21,8 @@ PathStep step_of(const std::string& origin, const std::string& word, bool bracke
     PathStep step{word, 0, false};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), step.index);
     step.is_index = error == std::errc{} && end == word.data() + word.size();
-    require(step.is_index || !bracketed,
-            "{}: \"{}\" is no index; count from 0, for example walls[0].material=\"steel\"", origin, word);
+    require(step.is_index || !bracketed, R"({}: "{}" is no index; count from 0, for example walls[0].material="steel")",
+            origin, word);
     return step;
 }
 
@@ -163,13 +163,13 @@ void Document::assign(const std::string& origin, const std::string& path, const 
         enter_table(origin, *node, last, where);
         node->as_table()->insert_or_assign(last.key, std::move(fresh));
     }
-    overrides_.push_back({joined(steps), origin});
+    overrides_.insert(overrides_.begin(), {joined(steps), origin});
 }
 
 SourceLocation Document::where(const std::string& path, const toml::source_region& source) const {
-    for (auto it = overrides_.rbegin(); it != overrides_.rend(); ++it) {
-        const bool made_by_override = source.begin.line == 0 && lies_under(it->path, path);
-        if (lies_under(path, it->path) || (made_by_override && !path.empty())) return {it->origin, 0, 0};
+    for (const Override& given : overrides_) {
+        const bool made_by_override = source.begin.line == 0 && lies_under(given.path, path);
+        if (lies_under(path, given.path) || (made_by_override && !path.empty())) return {given.origin, 0, 0};
     }
     return {path_.string(), static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }

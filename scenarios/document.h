@@ -36,7 +36,7 @@ private:
 
     std::filesystem::path path_;
     toml::table root_;
-    std::vector<Override> overrides_;
+    std::vector<Override> overrides_;  ///< the latest first
 };
 
 }  // namespace polargrain

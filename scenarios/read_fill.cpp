@@ -157,6 +157,7 @@ std::vector<Grain> read_fill(Reading& reading, ShapeBook& shapes, TableReader& t
     check_capacity(scene, table, spec, grains, surroundings);
 
     std::vector<FillGrain> places;
+    places.reserve(grains.size());
     for (const Grain& grain : grains) places.push_back({scene.shapes[static_cast<std::size_t>(grain.shape)], {}, 0.0});
     FillSpace loose = make_space(scene, spec, places, surroundings);
     std::size_t most = place_at_random(loose, places, key);

@@ -22,6 +22,7 @@ Restitution read_restitution(TableReader& table, const std::string& table_path) 
 
 std::vector<std::string> material_names(const Materials& materials) {
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(materials.size()));
     for (MaterialIndex m = 0; m < materials.size(); ++m) names.push_back(materials[m].name);
     return names;
 }

@@ -185,7 +185,7 @@ std::string TableReader::text(std::string_view key, std::optional<std::string> f
 
 std::string TableReader::choice(std::string_view key, std::span<const std::string> allowed,
                                 std::optional<std::string> fallback) {
-    const std::string value = variant(key, allowed, std::move(fallback));
+    std::string value = variant(key, allowed, std::move(fallback));
     read_.emplace_back(key);
     write(key, toml_text(value));
     return value;
@@ -245,7 +245,7 @@ std::vector<double> TableReader::numbers(std::string_view key, const NumberRange
 }
 
 std::vector<std::string> TableReader::words(std::string_view key) {
-    const toml::array& array = need_array(key, 1, "[\"first\", \"second\"]");
+    const toml::array& array = need_array(key, 1, R"(["first", "second"])");
     std::vector<std::string> values;
     for (const toml::node& node : array) {
         if (!node.is_string()) fail_at(node, path(key), fmt::format("holds {}, must hold strings", kind_of(node)));
