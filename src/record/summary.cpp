@@ -53,7 +53,7 @@ Json to_json(const Summary& summary) {
             {"build_flags", summary.build_flags},
             {"seed", summary.seed},
             {"threads", summary.threads},
-            {"completed", summary.completed},
+            {"interrupted", !summary.completed},
             {"steps", summary.steps},
             {"time_step", summary.time_step},
             {"simulated_seconds", summary.simulated_seconds},
