@@ -67,7 +67,7 @@ Summary summarize(const Scenario& scenario, const RunInfo& info, const RunState&
 
 void print_summary(const Summary& summary, double initial_energy, const std::filesystem::path& folder) {
     const Totals& totals = summary.totals;
-    const double steps = static_cast<double>(summary.steps);
+    const auto steps = static_cast<double>(summary.steps);
     fmt::print("{} grains, {} steps of {:.4g} s to t = {:.4g} s\n", summary.grains, summary.steps, summary.time_step,
                summary.simulated_seconds);
     fmt::print("  cpu time         {:.3g} s, {:.3g} s per simulated second\n", summary.cpu_seconds,

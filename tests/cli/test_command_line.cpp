@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "tests/cli/program_runner.h"
 #include "tests/cli/small_scenarios.h"
 
@@ -91,6 +93,8 @@ struct BrokenFile {
     std::string text;
     const char* says;
 };
+
+void PrintTo(const BrokenFile& file, std::ostream* out) { *out << file.name; }
 
 class Broken : public testing::TestWithParam<BrokenFile> {};
 
