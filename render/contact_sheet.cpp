@@ -21,6 +21,7 @@ namespace {
 std::vector<int> spread(int n, int places) {
     const int shown = std::min(n, places);
     std::vector<int> chosen;
+    chosen.reserve(static_cast<std::size_t>(shown));
     for (int k = 0; k < shown; ++k) {
         chosen.push_back(shown == 1 ? 0 : static_cast<int>((2L * k * (n - 1) + shown - 1) / (2L * (shown - 1))));
     }
@@ -37,8 +38,8 @@ struct Grid {
     int width() const { return even(gap + columns * (cell_width + gap)); }
     int height() const { return even(header + gap + rows * (cell_height + gap) + footer); }
     Rect cell(int k) const {
-        return {gap + (k % columns) * (cell_width + gap), header + gap + (k / columns) * (cell_height + gap),
-                cell_width, cell_height};
+        const int row = k / columns, column = k % columns;
+        return {gap + column * (cell_width + gap), header + gap + row * (cell_height + gap), cell_width, cell_height};
     }
 
 private:

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/painting.h"
 
@@ -74,8 +75,10 @@ void trace(cairo_t* cr, const std::vector<Vec2>& polygon) {
 /// line k where x + y = k spacing in its own frame, so that they move and turn with it.
 class Hatch {
 public:
-    Hatch(const Vec2& anchor, const Pose& pose, double spacing)
-        : anchor_(anchor), across_(unit(Vec2(pose.cosine + pose.sine, pose.cosine - pose.sine))), spacing_(spacing) {}
+    Hatch(Vec2 anchor, const Pose& pose, double spacing)
+        : anchor_(std::move(anchor)),
+          across_(unit(Vec2(pose.cosine + pose.sine, pose.cosine - pose.sine))),
+          spacing_(spacing) {}
 
     void trace(cairo_t* cr, const std::vector<Vec2>& polygon, const Rect& plot) const {
         double low = number_at({plot.x, plot.y}), high = low;

@@ -160,7 +160,7 @@ ColourBy colour_by(std::string_view name) {
         if (name == word) return quantity;
         known.emplace_back(word);
     }
-    throw InputError(fmt::format("colour \"{}\" is not known; the nearest is \"{}\" (one of {})", name,
+    throw InputError(fmt::format(R"(colour "{}" is not known; the nearest is "{}" (one of {}))", name,
                                  nearest_name(name, known), fmt::join(known, ", ")));
 }
 

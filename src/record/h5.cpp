@@ -151,6 +151,7 @@ void put_text(hid_t object, const std::string& name, const std::string& value) {
 
 void put_texts(hid_t object, const std::string& name, const std::vector<std::string>& values) {
     std::vector<const char*> texts;
+    texts.reserve(values.size());
     for (const std::string& value : values) texts.push_back(value.c_str());
     put_attribute(object, name, text_type().id(), simple_space({values.size()}),
                   static_cast<const void*>(texts.data()));

@@ -14,8 +14,8 @@ namespace polargrain {
 /// impact again; docs/run-folder.md gives every column. 17 significant digits.
 ///
 /// Takes the records from StepReport::impact_records, which engines fill only while StepReport::record_impacts is set.
-/// A wall is named where a grain has its number; its centre is the origin and its motion that of its material at the
-/// contact point with no spin, as the engine recorded it. Flushed at each sample. Errors: RunError names the file.
+/// A wall is named where a grain has its number; its centre is the contact point and its motion that of its
+/// material there with no spin, as the engine recorded it. Flushed at each sample. Errors: RunError names the file.
 class ImpactsCsv : public Sink {
 public:
     /// every: interval between flushes [s].

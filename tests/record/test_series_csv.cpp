@@ -19,7 +19,11 @@ using testing::world_at;
 
 Totals some_totals() {
     Totals totals;
-    totals.ledger = {0.125, 0.0625, 0.5, 0.03, 0.04};
+    totals.ledger.restitution_loss = 0.125;
+    totals.ledger.friction_loss = 0.0625;
+    totals.ledger.wall_work = 0.5;
+    totals.ledger.created = 0.03;
+    totals.ledger.rises = 0.04;
     totals.moves = {100, 7, 3};
     totals.impacts = 42;
     totals.steps = 4;

@@ -23,7 +23,11 @@ Summary some_summary() {
     summary.totals.contact_sum = 12500;
     summary.totals.moves = {30000, 20, 10};
     summary.totals.deepest = 1e-9;
-    summary.totals.ledger = {0.3, 0.2, 0.1, 0.05, 0.06};
+    summary.totals.ledger.restitution_loss = 0.3;
+    summary.totals.ledger.friction_loss = 0.2;
+    summary.totals.ledger.wall_work = 0.1;
+    summary.totals.ledger.created = 0.05;
+    summary.totals.ledger.rises = 0.06;
     summary.initial = {1.0, 0.5, 2.0};
     summary.final_energy = {0.75, 0.5, 1.9};
     summary.state_hash = "0123456789abcdef";

@@ -228,5 +228,13 @@ TEST_F(Frame, FilesThatCannotBeWrittenAreNamed) {
     EXPECT_THROW(draw_frame(picture_of(scene, world, nothing), style, folder_ / "frame.gif"), InputError);
 }
 
+TEST_F(Frame, AFullDiskIsNoticed) {
+    std::filesystem::create_symlink("/dev/full", folder_ / "full.png");
+    const Scene scene = testing::small_scene();
+    const StepReport nothing;
+    EXPECT_THROW(draw_frame(picture_of(scene, initial_world(scene), nothing), unit_view(), folder_ / "full.png"),
+                 RunError);
+}
+
 }  // namespace
 }  // namespace polargrain
