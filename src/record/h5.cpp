@@ -9,6 +9,10 @@ namespace polargrain::h5 {
 
 namespace {
 
+/// Every handle here is closed by its owner. The library's own cleaning up at exit is switched off, because it follows
+/// dangling pointers after a file that could not be closed on a full disk; it must be told before anything else.
+const herr_t k_no_cleaning_at_exit = H5dont_atexit();
+
 /// Walks from the call of ours to where it went wrong; the last one visited knows best.
 herr_t keep_description(unsigned /*level*/, const H5E_error2_t* error, void* text) {
     if (error->desc != nullptr && *error->desc != '\0') *static_cast<std::string*>(text) = error->desc;
