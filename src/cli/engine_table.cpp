@@ -5,11 +5,14 @@
 
 #include "src/core/error.h"
 #include "src/engines/contact/contact_1994.h"
+#include "src/engines/contact/contact_engine.h"
 
 namespace polargrain {
 
 std::span<const EngineEntry> engine_table() {
-    static const std::array<EngineEntry, 1> table{
+    static const std::array<EngineEntry, 2> table{
+        EngineEntry{"contact", "the refined contact engine: dense beds that are right, and nothing overlaps",
+                    make_contact},
         EngineEntry{"contact-1994", "the contact model of Hogue & Newland 1994, to the letter", make_contact_1994},
     };
     return table;

@@ -6,6 +6,7 @@ EnergyLedger& EnergyLedger::operator+=(const EnergyLedger& other) {
     restitution_loss += other.restitution_loss;
     friction_loss += other.friction_loss;
     wall_work += other.wall_work;
+    correction += other.correction;
     created += other.created;
     rises += other.rises;
     return *this;

@@ -10,11 +10,12 @@ namespace polargrain {
 
 /// Where energy went during a step, per metre of depth [J/m]. Losses and work count positive as named.
 ///
-/// energy(after) - energy(before) = wall_work + created - restitution_loss - friction_loss
+/// energy(after) - energy(before) = wall_work + correction + created - restitution_loss - friction_loss
 struct EnergyLedger {
     double restitution_loss = 0.0;  ///< taken by the normal impulses
     double friction_loss = 0.0;     ///< taken by the tangential impulses
     double wall_work = 0.0;         ///< done by moving walls on the grains
+    double correction = 0.0;        ///< potential energy added by moving grains apart without a force
     /// Energy that the method itself makes (or destroys, if negative): gravity work of moves that were rejected,
     /// corrections. A perfect method has zero here.
     double created = 0.0;

@@ -30,12 +30,14 @@ Json parts_of(const Energy& energy) {
 
 Json ledger_of(const Summary& summary) {
     const EnergyLedger& ledger = summary.totals.ledger;
-    const double booked = ledger.wall_work + ledger.created - ledger.restitution_loss - ledger.friction_loss;
+    const double booked =
+        ledger.wall_work + ledger.correction + ledger.created - ledger.restitution_loss - ledger.friction_loss;
     return {{"initial", parts_of(summary.initial)},
             {"final", parts_of(summary.final_energy)},
             {"dissipated_normal", ledger.restitution_loss},
             {"dissipated_friction", ledger.friction_loss},
             {"wall_work", ledger.wall_work},
+            {"correction", ledger.correction},
             {"created", ledger.created},
             {"rises", ledger.rises},
             {"unaccounted", summary.final_energy.total() - summary.initial.total() - booked}};

@@ -22,6 +22,7 @@ Totals some_totals() {
     totals.ledger.restitution_loss = 0.125;
     totals.ledger.friction_loss = 0.0625;
     totals.ledger.wall_work = 0.5;
+    totals.ledger.correction = 0.02;
     totals.ledger.created = 0.03;
     totals.ledger.rises = 0.04;
     totals.moves = {100, 7, 3};
@@ -72,7 +73,8 @@ TEST(SeriesCsv, ColumnsStandInTheOrderOfTheContract) {
     EXPECT_EQ(header,
               "time step kinetic_translational kinetic_rotational potential dissipated_normal dissipated_friction "
               "wall_work contacts impacts moves_rejected moves_shortened centre_of_mass_x centre_of_mass_y grains_in "
-              "grains_out energy_created energy_rises wall_floor_fx wall_floor_fy wall_floor_torque wall_shaker_fx "
+              "grains_out energy_correction energy_created energy_rises wall_floor_fx wall_floor_fy wall_floor_torque "
+              "wall_shaker_fx "
               "wall_shaker_fy wall_shaker_torque wall_paddle_fx wall_paddle_fy wall_paddle_torque wall_gate_fx "
               "wall_gate_fy wall_gate_torque ");
 }
@@ -97,6 +99,7 @@ TEST(SeriesCsv, SumsAndCountsAreThoseOfTheRun) {
                                                          {"dissipated_normal", "0.125"},
                                                          {"dissipated_friction", "0.0625"},
                                                          {"wall_work", "0.5"},
+                                                         {"energy_correction", "0.02"},
                                                          {"energy_created", "0.03"},
                                                          {"energy_rises", "0.04"},
                                                          {"contacts", "1"},

@@ -25,6 +25,12 @@ std::optional<RecordedContact> contact_between(const Scene& scene, const Grains&
     return RecordedContact{a, b, contact->point, contact->normal, pose_a.centre, pose_b.centre, contact->depth};
 }
 
+/// A point on the side of the piece that the grain belongs to. Nothing overlaps a wall at rest, so there it is where
+/// the grain's centre is; a moving wall may have run over the grain, and acts on its free side, the left, only.
+Vec2 home_side(const PlacedPiece& piece, const Vec2& centre) {
+    return piece.moves ? Vec2(piece.piece.a + left_normal(piece.along) * piece.length) : centre;
+}
+
 bool by_bodies(const RecordedContact& p, const RecordedContact& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); }
 
 }  // namespace
@@ -76,7 +82,8 @@ void TrialCheck::check_walls(const TrialConfiguration& configuration, const Grai
             if (!overlap(shape, pose, piece.piece)) continue;
             const Motion& wall = wall_motions_[static_cast<std::size_t>(piece.wall)];
             const PlacedShape placed{shape, pose, motion_of(grains, k)};
-            const auto contact = find_contact(placed, piece.piece, wall, configuration.current_centre[Grains::at(k)]);
+            const auto contact =
+                find_contact(placed, piece.piece, wall, home_side(piece, configuration.current_centre[Grains::at(k)]));
             if (!contact) continue;
             found_.push_back(
                 {wall_body(piece.wall), k, contact->point, contact->normal, Vec2::Zero(), pose.centre, contact->depth});

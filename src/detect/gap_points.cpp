@@ -1,0 +1,352 @@
+#include "src/detect/gap_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/detect/facing.h"
+#include "src/detect/gap_reduction.h"
+
+namespace polargrain {
+
+namespace {
+
+constexpr double k_unbounded = std::numeric_limits<double>::infinity();
+
+/// A vertex of one body with its neighbours, in the frame of the polygon it comes near.
+struct Approach {
+    Vec2 p;
+    Vec2 to_previous, to_next;  ///< from p; zero where there is no neighbour
+};
+
+bool reentrant(const PolarPolygon& polygon, int vertex) {
+    return cross(polygon.normal(polygon.previous(vertex)), polygon.normal(vertex)) < 0.0;
+}
+
+double gap_to_edge(const PolarPolygon& polygon, int edge, const Vec2& p) { return -polygon.depth(p, edge); }
+
+/// Feature rule: does a neighbour of p lie behind the line of the edge?
+bool neighbour_behind(const Approach& v, const Vec2& normal, double gap) {
+    for (const Vec2& f : {v.to_previous, v.to_next}) {
+        const double rise = f.dot(normal);
+        if (gap + rise < 0.0 && rise < 0.0 && rise * rise > GapRules::k_behind * GapRules::k_behind * f.squaredNorm()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double least_rise(const Approach& v, const Vec2& normal) {
+    return std::min(v.to_previous.dot(normal), v.to_next.dot(normal));
+}
+
+/// What a vertex near a polygon contributes: up to two edges and gaps.
+struct EdgeGap {
+    int edge;
+    double gap;
+};
+
+struct EdgeGaps {
+    EdgeGap found[3];
+    int count = 0;
+    void add(int edge, double gap) {
+        if (count < 3) found[count++] = {edge, gap};
+    }
+};
+
+/// The edge that bounds the free space of a vertex outside, by the feature and reflex rules; none where the true
+/// contact is elsewhere.
+EdgeGaps edges_near(const PolarPolygon& polygon, const Approach& v, const GapRules& rules) {
+    EdgeGaps edges;
+    const int edge = polygon.sector_of(v.p);
+    const double gap = gap_to_edge(polygon, edge, v.p);
+    if (gap > rules.margin) return edges;
+    struct End {
+        int vertex;
+        int across;
+    };
+    const End ends[2] = {{edge, polygon.previous(edge)}, {polygon.next(edge), polygon.next(edge)}};
+    const auto at_corner = [&](const End& end) {
+        return !reentrant(polygon, end.vertex) &&
+               (v.p - polygon.vertex(end.vertex)).squaredNorm() < 4.0 * rules.resting * rules.resting;
+    };
+    const auto faces_better = [&](int across) {
+        return least_rise(v, polygon.normal(across)) > least_rise(v, polygon.normal(edge));
+    };
+    // Round-off puts a corner that stands exactly on a corner a hair inside; that is touching.
+    const double touching = -k_touch_tolerance * polygon.outer_radius();
+    if (gap < touching) {
+        // Inside, close to a corner, the sector says nothing about the way out: the edge that faces the vertex does.
+        for (const End& end : ends) {
+            if (!at_corner(end) || !faces_better(end.across)) continue;
+            const double other = gap_to_edge(polygon, end.across, v.p);
+            if (other < touching) {
+                edges.add(end.across, other);
+                return edges;
+            }
+        }
+        edges.add(edge, gap);
+        return edges;
+    }
+    if (!neighbour_behind(v, polygon.normal(edge), gap)) {
+        edges.add(edge, gap);
+        for (const End& end : ends) {
+            if (!reentrant(polygon, end.vertex)) continue;
+            if ((v.p - polygon.vertex(end.vertex)).squaredNorm() >= 4.0 * rules.margin * rules.margin) continue;
+            const double other = gap_to_edge(polygon, end.across, v.p);
+            if (other >= touching && other <= rules.margin) edges.add(end.across, other);
+        }
+        return edges;
+    }
+    for (const End& end : ends) {
+        if (!at_corner(end) || !faces_better(end.across)) continue;
+        const double other = gap_to_edge(polygon, end.across, v.p);
+        if (other < touching || other >= rules.margin) continue;
+        edges.add(end.across, other);
+        return edges;
+    }
+    return edges;
+}
+
+/// Edge-end rule: travel along t for which the point stays over the edge from a to b. An end that is re-entrant, or
+/// has been passed already, does not bound.
+void set_range(GapPoint& point, const Vec2& a, bool a_bounds, const Vec2& b, bool b_bounds, double slack) {
+    const Vec2 t = right_normal(point.normal);
+    const double at_a = t.dot(a - point.point);
+    const double at_b = t.dot(b - point.point);
+    // Travel of the point along its edge; where the point is j's, i travels the other way.
+    double low = std::min(at_a, at_b);
+    double high = std::max(at_a, at_b);
+    bool low_bounds = at_a < at_b ? a_bounds : b_bounds;
+    bool high_bounds = at_a < at_b ? b_bounds : a_bounds;
+    if (!point.on_i) {
+        std::swap(low, high);
+        std::swap(low_bounds, high_bounds);
+        low = -low;
+        high = -high;
+    }
+    point.low = low_bounds && low <= 0.0 ? low - slack : -k_unbounded;
+    point.high = high_bounds && high >= 0.0 ? high + slack : k_unbounded;
+}
+
+/// Vertices of `owner` near `other`; the owner is i where on_i.
+void add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, const PolarPolygon& other,
+                       const Pose& other_pose, bool on_i, const GapRules& rules, std::vector<GapPoint>& points) {
+    const Pose relative = owner_pose.relative_to(other_pose);
+    const double circle = other.outer_radius() + rules.margin;
+    any_facing_vertex(owner, relative, reach_towards(other, relative) + rules.margin, [&](int k) {
+        const Vec2 v = owner.vertex(k);
+        const Vec2 p = relative.to_world(v);
+        if (p.squaredNorm() >= circle * circle) return false;
+        const Approach approach{p, relative.turned(owner.vertex(owner.previous(k)) - v),
+                                relative.turned(owner.vertex(owner.next(k)) - v)};
+        const EdgeGaps edges = edges_near(other, approach, rules);
+        for (int n = 0; n < edges.count; ++n) {
+            const auto [edge, gap] = edges.found[n];
+            const Vec2 outward = other_pose.turned(other.normal(edge));
+            GapPoint point{other_pose.to_world(p), on_i ? outward : Vec2(-outward), gap, 0.0, 0.0, k, edge, on_i};
+            const int end = other.next(edge);
+            set_range(point, other_pose.to_world(other.vertex(edge)), !reentrant(other, edge),
+                      other_pose.to_world(other.vertex(end)), !reentrant(other, end), rules.resting);
+            points.push_back(point);
+        }
+        return false;
+    });
+}
+
+void gap_points(const PolarPolygon& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j,
+                const GapRules& rules, std::vector<GapPoint>& points) {
+    const std::size_t first = points.size();
+    add_vertex_points(i, pose_i, j, pose_j, true, rules, points);
+    add_vertex_points(j, pose_j, i, pose_i, false, rules, points);
+    reduce_gap_points(points, first);
+}
+
+void gap_points(const Disk& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
+                std::vector<GapPoint>& points) {
+    const Vec2 apart = pose_i.centre - pose_j.centre;
+    const double distance = std::sqrt(apart.squaredNorm());
+    const double gap = distance - i.radius() - j.radius();
+    if (gap > rules.margin || distance == 0.0) return;
+    const Vec2 normal = apart / distance;
+    points.push_back(
+        {pose_j.centre + normal * (j.radius() + 0.5 * gap), normal, gap, -k_unbounded, k_unbounded, -1, -1, true});
+}
+
+/// The nearest points of a polygon's boundary to a disk, where the distance has a local minimum. disk_is_i: the normal
+/// points into the disk.
+void add_disk_points(const Disk& disk, const Pose& disk_pose, const PolarPolygon& polygon, const Pose& pose,
+                     bool disk_is_i, const GapRules& rules, std::vector<GapPoint>& points) {
+    const Vec2 centre = pose.to_local(disk_pose.centre);
+    const double near = disk.radius() + rules.margin;
+    const auto add = [&](const Vec2& at, const Vec2& out, double gap, int edge) {
+        const Vec2 normal = pose.turned(out);
+        points.push_back({pose.to_world(at), disk_is_i ? normal : Vec2(-normal), gap, -k_unbounded, k_unbounded, -1,
+                          edge, disk_is_i});
+    };
+    if (centre.squaredNorm() >= (polygon.outer_radius() + near) * (polygon.outer_radius() + near)) return;
+    for (int k = 0; k < polygon.size(); ++k) {
+        const Vec2 a = polygon.vertex(k);
+        const Vec2 along = polygon.vertex(polygon.next(k)) - a;
+        const double height = (centre - a).dot(polygon.normal(k));
+        if (height <= 0.0 || height >= near) continue;
+        const double station = (centre - a).dot(along) / along.squaredNorm();
+        if (station > 0.0 && station < 1.0) add(a + station * along, polygon.normal(k), height - disk.radius(), k);
+    }
+    for (int k = 0; k < polygon.size(); ++k) {
+        const Vec2 out = centre - polygon.vertex(k);
+        const double d2 = out.squaredNorm();
+        if (d2 >= near * near || d2 == 0.0 || reentrant(polygon, k)) continue;
+        const Vec2 before = polygon.vertex(polygon.previous(k)) - polygon.vertex(k);
+        const Vec2 after = polygon.vertex(polygon.next(k)) - polygon.vertex(k);
+        if (out.dot(before) > 0.0 || out.dot(after) > 0.0) continue;  // an edge is nearer
+        const double distance = std::sqrt(d2);
+        add(polygon.vertex(k), out / distance, distance - disk.radius(), polygon.size() + k);
+    }
+}
+
+void gap_points(const Disk& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j, const GapRules& rules,
+                std::vector<GapPoint>& points) {
+    add_disk_points(i, pose_i, j, pose_j, true, rules, points);
+}
+
+void gap_points(const PolarPolygon& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
+                std::vector<GapPoint>& points) {
+    add_disk_points(j, pose_j, i, pose_i, false, rules, points);
+}
+
+}  // namespace
+
+void find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j, const GapRules& rules,
+                     std::vector<GapPoint>& points) {
+    std::visit([&](const auto& s, const auto& t) { gap_points(s, pose_i, t, pose_j, rules, points); }, i, j);
+}
+
+namespace {
+
+/// Signed distance of a point from the line of a piece, positive on its left, and its station along it.
+struct OverPiece {
+    double height;
+    double station;
+    double length;
+    Vec2 left;
+
+    OverPiece(const WallPiece& piece, const Vec2& p) {
+        const Vec2 along = piece.b - piece.a;
+        length = std::sqrt(along.squaredNorm());
+        left = left_normal(along) / length;
+        height = left.dot(p - piece.a);
+        station = along.dot(p - piece.a) / length;
+    }
+    bool within() const { return station >= 0.0 && station <= length; }
+};
+
+/// Side of the piece (+1 left, -1 right) that a point belongs to (the left, where a moving wall has run over the
+/// grain), and whether it has gone through since `before`.
+struct Side {
+    double sign;
+    bool through;
+};
+
+Side side_of(const OverPiece& now, const OverPiece& before, double home_side, bool overrun) {
+    if (overrun) return {1.0, now.height < 0.0};
+    const double was = before.height != 0.0 ? before.height : home_side;
+    if ((was > 0.0) == (now.height > 0.0) || now.height == 0.0) return {now.height == 0.0 ? was : now.height, false};
+    // The signs differ: it went through the piece, or round one of its ends.
+    const double part = before.height / (before.height - now.height);
+    const double station = before.station + part * (now.station - before.station);
+    const bool through = station >= 0.0 && station <= now.length;
+    return {through ? was : now.height, through};
+}
+
+/// Can a point that stands on a side of the chain (+1 left) get round its end or joint?
+bool bounds(Joint joint, double side) {
+    switch (joint) {
+        case Joint::free_end: return true;
+        case Joint::straight: return false;
+        case Joint::left_turn: return side < 0.0;
+        case Joint::right_turn: return side > 0.0;
+    }
+    return true;
+}
+
+void wall_vertex_points(const PolarPolygon& grain, const Pose& pose, const Pose& pose_before, const GapPiece& piece,
+                        bool overrun, const GapRules& rules, std::vector<GapPoint>& points) {
+    const double home = OverPiece(piece.before, pose_before.centre).height;
+    for (int k = 0; k < grain.size(); ++k) {
+        const Vec2 p = pose.to_world(grain.vertex(k));
+        const OverPiece now(piece.now, p);
+        if (!now.within() || std::abs(now.height) > rules.margin + grain.outer_radius()) continue;
+        const Side side = side_of(now, OverPiece(piece.before, pose_before.to_world(grain.vertex(k))), home, overrun);
+        const double gap = side.through ? -std::abs(now.height) : std::abs(now.height);
+        if (gap > rules.margin) continue;
+        const Vec2 normal = side.sign > 0.0 ? now.left : Vec2(-now.left);
+        const Approach approach{p, pose.turned(grain.vertex(grain.previous(k)) - grain.vertex(k)),
+                                pose.turned(grain.vertex(grain.next(k)) - grain.vertex(k))};
+        if (gap >= 0.0 && neighbour_behind(approach, normal, gap)) continue;
+        GapPoint point{p, normal, gap, 0.0, 0.0, k, 0, true};
+        set_range(point, piece.now.a, bounds(piece.at_a, side.sign), piece.now.b, bounds(piece.at_b, side.sign),
+                  rules.resting);
+        points.push_back(point);
+    }
+}
+
+void wall_end_point(const PolarPolygon& grain, const Pose& pose, const Vec2& end, const Vec2& beyond, const Vec2& other,
+                    int which, const GapRules& rules, std::vector<GapPoint>& points) {
+    const Vec2 p = pose.to_local(end);
+    const double circle = grain.outer_radius() + rules.margin;
+    if (p.squaredNorm() >= circle * circle) return;
+    const Approach approach{p, pose.turned_back(beyond - end), pose.turned_back(other - end)};
+    const EdgeGaps edges = edges_near(grain, approach, rules);
+    for (int n = 0; n < edges.count; ++n) {
+        const auto [edge, gap] = edges.found[n];
+        GapPoint point{end, -pose.turned(grain.normal(edge)), gap, 0.0, 0.0, which, edge, false};
+        const int next = grain.next(edge);
+        set_range(point, pose.to_world(grain.vertex(edge)), !reentrant(grain, edge), pose.to_world(grain.vertex(next)),
+                  !reentrant(grain, next), rules.resting);
+        points.push_back(point);
+    }
+}
+
+void wall_points(const PolarPolygon& grain, const Pose& pose, const Pose& pose_before, const GapPiece& piece,
+                 bool overrun, const GapRules& rules, std::vector<GapPoint>& points) {
+    const std::size_t first = points.size();
+    wall_vertex_points(grain, pose, pose_before, piece, overrun, rules, points);
+    // A joint belongs to the piece that begins there.
+    if (piece.at_a != Joint::straight)
+        wall_end_point(grain, pose, piece.now.a, piece.before_a, piece.now.b, 0, rules, points);
+    if (piece.at_b == Joint::free_end)
+        wall_end_point(grain, pose, piece.now.b, piece.now.b, piece.now.a, 1, rules, points);
+    reduce_gap_points(points, first);
+}
+
+void wall_points(const Disk& disk, const Pose& pose, const Pose& pose_before, const GapPiece& piece, bool overrun,
+                 const GapRules& rules, std::vector<GapPoint>& points) {
+    const OverPiece now(piece.now, pose.centre);
+    const auto add = [&](const Vec2& at, const Vec2& normal, double gap, int which) {
+        if (gap <= rules.margin) points.push_back({at, normal, gap, -k_unbounded, k_unbounded, -1, which, true});
+    };
+    if (now.within()) {
+        const Side side = side_of(now, OverPiece(piece.before, pose_before.centre), 1.0, overrun);
+        const Vec2 normal = side.sign > 0.0 ? now.left : Vec2(-now.left);
+        const double height = side.through ? -std::abs(now.height) : std::abs(now.height);
+        add(pose.centre - height * normal, normal, height - disk.radius(), 0);
+        return;
+    }
+    const bool at_a = now.station < 0.0;
+    if (at_a ? piece.at_a == Joint::straight : piece.at_b != Joint::free_end) return;  // the next piece's affair
+    const Vec2 end = at_a ? piece.now.a : piece.now.b;
+    const Vec2 out = pose.centre - end;
+    const double distance = std::sqrt(out.squaredNorm());
+    if (distance > 0.0) add(end, out / distance, distance - disk.radius(), at_a ? 1 : 2);
+}
+
+}  // namespace
+
+void find_gap_points(const Shape& i, const Pose& pose_i, const Pose& pose_before, const GapPiece& piece,
+                     const GapRules& rules, std::vector<GapPoint>& points) {
+    const bool overrun = piece.one_sided && overlap(i, pose_i, piece.now);
+    std::visit([&](const auto& s) { wall_points(s, pose_i, pose_before, piece, overrun, rules, points); }, i);
+}
+
+}  // namespace polargrain

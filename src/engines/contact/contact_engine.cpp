@@ -1,0 +1,264 @@
+#include "src/engines/contact/contact_engine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/engines/contact/energy_guard.h"
+#include "src/engines/contact/gap_detection.h"
+#include "src/engines/contact/gap_solver.h"
+#include "src/engines/contact/position_correction.h"
+#include "src/engines/contact/rejection.h"
+#include "src/engines/contact/repair.h"
+
+namespace polargrain {
+
+namespace {
+
+class ContactEngine final : public Engine {
+public:
+    explicit ContactEngine(const Scene& scene) : scene_(scene), detection_(scene), solver_(scene), rejection_(scene) {
+        const double g = std::sqrt(scene.gravity.squaredNorm());
+        for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+            opening_budget_ +=
+                k_opening * g * scene.grains.mass[Grains::at(k)] * detection_.resting_gap(k, wall_body(0));
+        }
+    }
+
+    std::string_view name() const override { return "contact"; }
+    double suggested_dt() const override { return critical_time_step(scene_); }
+
+    void step(World& world, double dt, StepReport& report) override {
+        report.clear(scene_.walls.size());
+        take_state(world);
+        const double energy_before = total_energy(bodies_, before_, scene_.gravity);
+        granted_ = 0.0;
+        if (!detected_) open_gaps(world.time, dt, report);
+        const double time_after = static_cast<double>(world.step + 1) * dt;
+        forget_removed_walls(world.time);
+
+        trial_ = before_;
+        solver_.advance(contacts_, bodies_, trial_, world.step, world.time, dt, sweeps(), report);
+        correct_positions(energy_before, report);
+        refresh_trial();
+        detection_.detect(before_, trial_, bodies_, world.time, time_after, dt);
+        repair(report);
+        reject(report);
+        guard(energy_before, report);
+        hand_over_contacts();
+        give_state(world, report);
+        ++world.step;
+        world.time = time_after;
+    }
+
+    void save(Checkpoint& checkpoint) const override;
+    void load(const Checkpoint& checkpoint) override;
+
+private:
+    static constexpr double k_opening = 0.02;  ///< of the resting gap a grain and step
+    static constexpr int k_opening_passes = 60;
+    static constexpr int k_careful_steps = 10;
+    static constexpr double k_careful_share = 0.01;
+
+    int sweeps() const { return careful_ > 0 ? GapSolver::k_careful_sweeps : GapSolver::k_sweeps; }
+
+    void take_state(const World& world) {
+        const std::size_t n = world.grains.x.size();
+        bodies_.resize(n);
+        before_.resize(n);
+        for (std::size_t k = 0; k < n; ++k) {
+            const auto g = static_cast<GrainIndex>(k);
+            bodies_[k] = {world.grains.velocity(g), world.grains.spin[k], 1.0 / world.grains.mass[k],
+                          1.0 / world.grains.inertia[k], false};
+            before_.centre[k] = world.grains.position(g);
+            before_.angle[k] = world.grains.angle[k];
+            before_.refresh(k);
+        }
+    }
+
+    /// Before the first step: bodies that the scene lets touch are moved apart to their resting gaps, so that they need
+    /// not be pushed apart while they move. The energy this takes stands in the ledger as correction.
+    void open_gaps(double time, double dt, StepReport& report) {
+        const double energy_touching = total_energy(bodies_, before_, scene_.gravity);
+        const auto detect = [&] {
+            detection_.detect(before_, trial_, bodies_, time, time, dt);
+            contacts_ = detection_.contacts();
+            pairs_ = detection_.pairs();
+        };
+        trial_ = before_;
+        detect();
+        for (int pass = 0; pass < k_opening_passes && PositionCorrection::needed(contacts_); ++pass) {
+            GapSolver::prepare(contacts_, bodies_, trial_);
+            correction_.correct(contacts_, bodies_, scene_.gravity, std::numeric_limits<double>::infinity(), trial_);
+            refresh_trial();
+            detect();
+        }
+        if (repair_.run(detection_, bodies_, before_, trial_) == 0) before_ = trial_;
+        trial_ = before_;
+        detect();
+        detected_ = true;
+        granted_ = total_energy(bodies_, before_, scene_.gravity) - energy_touching;
+        report.ledger.correction += granted_;
+    }
+
+    void forget_removed_walls(double time) {
+        for (GapContact& c : contacts_) {
+            if (is_wall(c.j) && !scene_.walls[static_cast<std::size_t>(wall_index(c.j))].present(time)) {
+                c.gap = 1e9;
+                c.normal_impulse = 0.0;
+                c.tangent_impulse = 0.0;
+            }
+        }
+    }
+
+    /// The correction may spend what the step has dissipated, and a little of its own: bodies that start without any
+    /// gap between them could otherwise never get their resting gaps. That little is granted to the guard and stands in
+    /// the ledger as correction.
+    void correct_positions(double energy_before, StepReport& report) {
+        const double dissipated =
+            std::max(0.0, energy_before + report.ledger.wall_work - total_energy(bodies_, trial_, scene_.gravity));
+        const double lift =
+            correction_.correct(contacts_, bodies_, scene_.gravity, dissipated + opening_budget_, trial_);
+        report.ledger.correction += lift;
+        granted_ += std::max(0.0, lift - dissipated);
+    }
+
+    void refresh_trial() {
+        for (std::size_t k = 0; k < trial_.pose.size(); ++k) trial_.refresh(k);
+    }
+
+    /// Many overlapping pairs mean that the solver has not kept up: it works harder for the next steps.
+    void repair(StepReport& report) {
+        const auto overlapping = std::count_if(detection_.pairs().begin(), detection_.pairs().end(),
+                                               [](const PairContacts& p) { return p.overlapping; });
+        if (careful_ > 0) --careful_;
+        if (static_cast<double>(overlapping) > k_careful_share * static_cast<double>(bodies_.size())) {
+            careful_ = k_careful_steps;
+        }
+        overlapping_ = 0;
+        repair_lift_ = 0.0;
+        if (overlapping == 0) return;
+        const double before = total_energy(bodies_, trial_, scene_.gravity);
+        overlapping_ = repair_.run(detection_, bodies_, before_, trial_);
+        repair_lift_ = std::max(0.0, total_energy(bodies_, trial_, scene_.gravity) - before);
+        report.ledger.correction += repair_lift_;
+    }
+
+    void reject(StepReport& report) {
+        report.moves.tried += static_cast<std::int64_t>(bodies_.size());
+        if (overlapping_ > 0) report.moves.rejected += rejection_.run(detection_, before_, trial_, bodies_);
+    }
+
+    void guard(double energy_before, StepReport& report) {
+        EnergyLedger& ledger = report.ledger;
+        const double allowed = energy_before + ledger.wall_work + granted_;
+        double now = total_energy(bodies_, trial_, scene_.gravity);
+        now -= guard_energy(bodies_, now - allowed);
+        ledger.rises = std::max(0.0, now - allowed - repair_lift_);
+        ledger.created =
+            now - energy_before - ledger.wall_work + ledger.restitution_loss + ledger.friction_loss - ledger.correction;
+    }
+
+    void hand_over_contacts() {
+        detection_.match(pairs_, contacts_);
+        report_contacts_.swap(contacts_);
+        contacts_ = detection_.contacts();
+        pairs_ = detection_.pairs();
+    }
+
+    void give_state(World& world, StepReport& report) {
+        for (std::size_t k = 0; k < bodies_.size(); ++k) {
+            const auto g = static_cast<GrainIndex>(k);
+            world.grains.set_position(g, trial_.centre[k]);
+            world.grains.angle[k] = trial_.angle[k];
+            world.grains.set_velocity(g, bodies_[k].velocity);
+            world.grains.spin[k] = bodies_[k].spin;
+        }
+        for (const GapContact& c : report_contacts_) {
+            if (c.total_impulse == Vec2::Zero()) continue;
+            report.contacts.push_back({c.j, c.i, c.point, c.normal, c.gap, c.total_impulse});
+        }
+        for (const GapContact& c : contacts_) report.deepest = std::max(report.deepest, -c.gap);
+    }
+
+    const Scene& scene_;
+    GapDetection detection_;
+    GapSolver solver_;
+    PositionCorrection correction_;
+    Repair repair_;
+    Rejection rejection_;
+    std::vector<SolverBody> bodies_;
+    PoseSet before_, trial_;
+    std::vector<GapContact> contacts_, report_contacts_;
+    std::vector<PairContacts> pairs_;
+    bool detected_ = false;
+    int careful_ = 0;
+    double granted_ = 0.0;         ///< energy that this step's correction may add without paying [J/m]
+    double repair_lift_ = 0.0;     ///< energy that this step's repair has added [J/m]
+    double opening_budget_ = 0.0;  ///< most of that in one step
+    int overlapping_ = 0;
+};
+
+// --- checkpoints ---
+
+constexpr std::size_t k_contact_integers = 6;
+constexpr std::size_t k_contact_reals = 9;
+constexpr std::size_t k_pair_integers = 5;
+
+void ContactEngine::save(Checkpoint& checkpoint) const {
+    std::vector<std::int64_t> integers;
+    std::vector<double> reals;
+    std::vector<std::int64_t> pairs;
+    for (const GapContact& c : contacts_) {
+        integers.insert(integers.end(), {c.i, c.j, c.vertex, c.edge, c.piece, c.on_i ? 1 : 0});
+        reals.insert(reals.end(), {c.point.x(), c.point.y(), c.normal.x(), c.normal.y(), c.gap, c.normal_impulse,
+                                   c.tangent_impulse, c.low, c.high});
+    }
+    for (const PairContacts& p : pairs_) pairs.insert(pairs.end(), {p.i, p.j, p.piece, p.first, p.count});
+    checkpoint.put("contact/state", std::vector<std::int64_t>{detected_ ? 1 : 0, careful_});
+    checkpoint.put("contact/integers", std::move(integers));
+    checkpoint.put("contact/reals", std::move(reals));
+    checkpoint.put("contact/pairs", std::move(pairs));
+}
+
+void ContactEngine::load(const Checkpoint& checkpoint) {
+    const auto& state = checkpoint.integers("contact/state");
+    const auto& integers = checkpoint.integers("contact/integers");
+    const auto& reals = checkpoint.reals("contact/reals");
+    const auto& pairs = checkpoint.integers("contact/pairs");
+    detected_ = state.at(0) != 0;
+    careful_ = static_cast<int>(state.at(1));
+    contacts_.clear();
+    pairs_.clear();
+    for (std::size_t k = 0; (k + 1) * k_contact_integers <= integers.size(); ++k) {
+        const std::int64_t* n = integers.data() + k_contact_integers * k;
+        const double* r = reals.data() + k_contact_reals * k;
+        GapContact c;
+        c.i = static_cast<BodyIndex>(n[0]);
+        c.j = static_cast<BodyIndex>(n[1]);
+        c.vertex = static_cast<std::int32_t>(n[2]);
+        c.edge = static_cast<std::int32_t>(n[3]);
+        c.piece = static_cast<std::int32_t>(n[4]);
+        c.on_i = n[5] != 0;
+        c.point = {r[0], r[1]};
+        c.normal = {r[2], r[3]};
+        c.gap = r[4];
+        c.normal_impulse = r[5];
+        c.tangent_impulse = r[6];
+        c.low = r[7];
+        c.high = r[8];
+        c.resting = detection_.resting_gap(c.i, c.j);
+        contacts_.push_back(c);
+    }
+    for (std::size_t k = 0; (k + 1) * k_pair_integers <= pairs.size(); ++k) {
+        const std::int64_t* n = pairs.data() + k_pair_integers * k;
+        pairs_.push_back({static_cast<BodyIndex>(n[0]), static_cast<BodyIndex>(n[1]), static_cast<std::int32_t>(n[2]),
+                          static_cast<std::int32_t>(n[3]), static_cast<std::int32_t>(n[4]), false});
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> make_contact(const Scene& scene) { return std::make_unique<ContactEngine>(scene); }
+
+}  // namespace polargrain

@@ -1,0 +1,307 @@
+#include "src/engines/contact/gap_detection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/engines/contact/restitution.h"
+
+namespace polargrain {
+
+namespace {
+
+std::vector<double> outer_radii(const Scene& scene) {
+    std::vector<double> radii;
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) radii.push_back(outer_radius(scene.shape_of(k)));
+    return radii;
+}
+
+Joint joint_between(const Vec2& before, const Vec2& at, const Vec2& after) {
+    const Vec2 in = unit(at - before);
+    const Vec2 out = unit(after - at);
+    const double turn = cross(in, out);
+    constexpr double k_straight = 1e-9;
+    if (std::abs(turn) < k_straight && in.dot(out) > 0.0) return Joint::straight;
+    return turn > 0.0 ? Joint::left_turn : Joint::right_turn;
+}
+
+}  // namespace
+
+void PoseSet::resize(std::size_t n) {
+    centre.resize(n);
+    angle.resize(n);
+    pose.resize(n);
+}
+
+GapDetection::GapDetection(const Scene& scene) : scene_(scene), list_(outer_radii(scene)) {
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+        diameter_.push_back(outer_radius(scene.shape_of(k)) + inner_radius(scene.shape_of(k)));
+    }
+    look_ahead_.assign(diameter_.size(), 0.0);
+}
+
+double GapDetection::resting_gap(BodyIndex i, BodyIndex j) const {
+    const double d = diameter_[Grains::at(i)];
+    return k_resting * (is_wall(j) ? d : std::min(d, diameter_[Grains::at(j)]));
+}
+
+double GapDetection::margin(BodyIndex i, BodyIndex j) const {
+    const double ahead =
+        is_wall(j) ? look_ahead_[Grains::at(i)] : std::max(look_ahead_[Grains::at(i)], look_ahead_[Grains::at(j)]);
+    return resting_gap(i, j) + gravity_way_ + ahead;
+}
+
+void GapDetection::place_walls(double time_before, double time_now) {
+    pieces_.clear();
+    wall_speed_.assign(scene_.walls.size(), 0.0);
+    for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
+        const Wall& wall = scene_.walls[w];
+        if (!wall.present(time_now)) continue;
+        wall_speed_[w] = largest_speed(wall);
+        const WallState now = wall_state(wall, time_now);
+        const WallState before = wall_state(wall, time_before);
+        const auto& p = wall.points;
+        const std::size_t last = p.size() - 1;
+        const bool closed = (p.front() - p.back()).squaredNorm() == 0.0 && p.size() > 3;
+        for (std::size_t k = 0; k < last; ++k) {
+            Piece piece;
+            piece.wall = static_cast<int>(w);
+            piece.geometry.one_sided = wall.moves();
+            GapPiece& g = piece.geometry;
+            g.now = {now.point(p[k]), now.point(p[k + 1])};
+            g.before = {before.point(p[k]), before.point(p[k + 1])};
+            g.before_a = g.now.a;
+            if (k > 0 || closed) {
+                const Vec2& earlier = k > 0 ? p[k - 1] : p[last - 1];
+                g.at_a = joint_between(earlier, p[k], p[k + 1]);
+                g.before_a = now.point(earlier);
+            }
+            if (k + 1 < last || closed) g.at_b = joint_between(p[k], p[k + 1], k + 1 < last ? p[k + 2] : p[1]);
+            pieces_.push_back(piece);
+        }
+    }
+}
+
+/// How far ahead to look: per grain, dt times the largest speed at which a grain that it may meet in a step, or a wall,
+/// comes nearer. Whether two grains may meet is judged by their motion alone, so that what else is listed does not
+/// matter.
+void GapDetection::find_agitation(const PoseSet& now, const std::vector<SolverBody>& bodies, double dt) {
+    const auto surface_speed = [&](GrainIndex k) { return std::abs(bodies[Grains::at(k)].spin) * list_.radius(k); };
+    std::fill(look_ahead_.begin(), look_ahead_.end(), 0.0);
+    for (const auto& [a, b] : list_.pairs()) {
+        const Vec2 relative = bodies[Grains::at(a)].velocity - bodies[Grains::at(b)].velocity;
+        const double way = dt * (std::sqrt(relative.squaredNorm()) + surface_speed(a) + surface_speed(b));
+        const double reach = list_.radius(a) + list_.radius(b) + way + gravity_way_ + resting_gap(b, a);
+        if ((now.centre[Grains::at(a)] - now.centre[Grains::at(b)]).squaredNorm() >= reach * reach) continue;
+        look_ahead_[Grains::at(a)] = std::max(look_ahead_[Grains::at(a)], way);
+        look_ahead_[Grains::at(b)] = std::max(look_ahead_[Grains::at(b)], way);
+    }
+    const auto grains = static_cast<GrainIndex>(now.centre.size());
+    for (GrainIndex k = 0; k < grains; ++k) {
+        const double own = dt * (std::sqrt(bodies[Grains::at(k)].velocity.squaredNorm()) + surface_speed(k));
+        const double radius = list_.radius(k);
+        for (const Piece& piece : pieces_) {
+            const double ahead = own + dt * wall_speed_[static_cast<std::size_t>(piece.wall)];
+            if (ahead <= look_ahead_[Grains::at(k)]) continue;
+            const Vec2 along = piece.geometry.now.b - piece.geometry.now.a;
+            const Vec2 from = now.centre[Grains::at(k)] - piece.geometry.now.a;
+            const double length2 = along.squaredNorm();
+            const double reach = radius + ahead + gravity_way_ + k_resting * diameter_[Grains::at(k)];
+            const double s = std::clamp(from.dot(along) / length2, 0.0, 1.0);
+            if ((from - s * along).squaredNorm() < reach * reach) look_ahead_[Grains::at(k)] = ahead;
+        }
+    }
+}
+
+void GapDetection::store(BodyIndex i, BodyIndex j, std::int32_t piece, bool overlapping) {
+    if (points_.empty() && !overlapping) return;
+    PairContacts pair{
+        i,          j, piece, static_cast<std::int32_t>(contacts_.size()), static_cast<std::int32_t>(points_.size()),
+        overlapping};
+    pairs_.push_back(pair);
+    for (const GapPoint& p : points_) {
+        GapContact c;
+        c.i = i;
+        c.j = j;
+        c.point = p.point;
+        c.normal = p.normal;
+        c.gap = p.gap;
+        c.low = p.low;
+        c.high = p.high;
+        c.vertex = p.vertex;
+        c.edge = p.edge;
+        c.piece = piece;
+        c.on_i = p.on_i;
+        c.resting = resting_gap(i, j);
+        contacts_.push_back(c);
+    }
+}
+
+void GapDetection::detect_pair(const PoseSet& now, GrainIndex a, GrainIndex b) {
+    const Pose& pose_a = now.pose[Grains::at(a)];
+    const Pose& pose_b = now.pose[Grains::at(b)];
+    const GapRules rules{margin(b, a), resting_gap(b, a)};
+    const double reach = list_.radius(a) + list_.radius(b) + rules.margin;
+    if ((pose_a.centre - pose_b.centre).squaredNorm() >= reach * reach) return;
+    points_.clear();
+    const Shape& shape_a = scene_.shape_of(a);
+    const Shape& shape_b = scene_.shape_of(b);
+    find_gap_points(shape_b, pose_b, shape_a, pose_a, rules, points_);
+    store(b, a, -1, overlap(shape_a, pose_a, shape_b, pose_b));
+}
+
+void GapDetection::detect_wall(const PoseSet& before, const PoseSet& now, GrainIndex k, std::int32_t index) {
+    const Piece& piece = pieces_[static_cast<std::size_t>(index)];
+    const Pose& pose = now.pose[Grains::at(k)];
+    const BodyIndex wall = wall_body(piece.wall);
+    const GapRules rules{margin(k, wall), resting_gap(k, wall)};
+    const WallPiece& at = piece.geometry.now;
+    const Vec2 along = at.b - at.a;
+    const Vec2 from = pose.centre - at.a;
+    const double reach = list_.radius(k) + rules.margin;
+    const double length = std::sqrt(along.squaredNorm());
+    if (std::abs(cross(along, from)) >= reach * length) return;
+    const double station = from.dot(along) / length;
+    if (station <= -reach || station >= length + reach) return;
+    points_.clear();
+    find_gap_points(scene_.shape_of(k), pose, before.pose[Grains::at(k)], piece.geometry, rules, points_);
+    store(k, wall, index, overlap(scene_.shape_of(k), pose, at));
+}
+
+void GapDetection::detect(const PoseSet& before, const PoseSet& now, const std::vector<SolverBody>& bodies,
+                          double time_before, double time_now, double dt) {
+    gravity_way_ = 2.0 * std::sqrt(scene_.gravity.squaredNorm()) * dt * dt;
+    place_walls(time_before, time_now);
+    // First every pair that its own motion may bring together, then every pair that a neighbour's may.
+    clearance_.resize(look_ahead_.size());
+    for (std::size_t k = 0; k < clearance_.size(); ++k) {
+        const double own = std::sqrt(bodies[k].velocity.squaredNorm()) +
+                           std::abs(bodies[k].spin) * list_.radius(static_cast<GrainIndex>(k));
+        clearance_[k] = dt * own + gravity_way_ + k_resting * diameter_[k];
+    }
+    list_.update(before.centre, now.centre, clearance_);
+    find_agitation(now, bodies, dt);
+    for (std::size_t k = 0; k < clearance_.size(); ++k) {
+        clearance_[k] = std::max(clearance_[k], look_ahead_[k] + gravity_way_ + k_resting * diameter_[k]);
+    }
+    list_.update(before.centre, now.centre, clearance_);
+
+    contacts_.clear();
+    pairs_.clear();
+    for (const auto& [a, b] : list_.pairs()) detect_pair(now, a, b);
+    for (GrainIndex k = 0; k < static_cast<GrainIndex>(now.centre.size()); ++k) {
+        for (std::size_t p = 0; p < pieces_.size(); ++p) detect_wall(before, now, k, static_cast<std::int32_t>(p));
+    }
+}
+
+void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved) {
+    kept_.swap(contacts_);
+    kept_pairs_.swap(pairs_);
+    contacts_.clear();
+    pairs_.clear();
+    const auto has_moved = [&](BodyIndex body) { return !is_wall(body) && moved[Grains::at(body)]; };
+    std::size_t old = 0;
+    const auto keep_until = [&](BodyIndex i, BodyIndex j, std::int32_t piece) {
+        // The old pairs come in the same order; those of pairs that have not moved are taken over.
+        const PairContacts& pair = kept_pairs_[old];
+        if (old >= kept_pairs_.size() || pair.i != i || pair.j != j || pair.piece != piece) return;
+        PairContacts copy = pair;
+        copy.first = static_cast<std::int32_t>(contacts_.size());
+        contacts_.insert(contacts_.end(), kept_.begin() + pair.first, kept_.begin() + pair.first + pair.count);
+        pairs_.push_back(copy);
+    };
+    const auto step_over = [&](BodyIndex i, BodyIndex j, std::int32_t piece) {
+        if (old < kept_pairs_.size() && kept_pairs_[old].i == i && kept_pairs_[old].j == j &&
+            kept_pairs_[old].piece == piece) {
+            ++old;
+        }
+    };
+    for (const auto& [a, b] : list_.pairs()) {
+        if (has_moved(a) || has_moved(b)) {
+            detect_pair(now, a, b);
+        } else if (old < kept_pairs_.size()) {
+            keep_until(b, a, -1);
+        }
+        step_over(b, a, -1);
+    }
+    for (GrainIndex k = 0; k < static_cast<GrainIndex>(now.centre.size()); ++k) {
+        for (std::size_t p = 0; p < pieces_.size(); ++p) {
+            const auto piece = static_cast<std::int32_t>(p);
+            const BodyIndex wall = wall_body(pieces_[p].wall);
+            if (has_moved(k)) {
+                detect_wall(before, now, k, piece);
+            } else if (old < kept_pairs_.size()) {
+                keep_until(k, wall, piece);
+            }
+            step_over(k, wall, piece);
+        }
+    }
+}
+
+bool GapDetection::overlaps_wall(GrainIndex k, const Pose& pose) const {
+    for (const Piece& piece : pieces_) {
+        if (overlap(scene_.shape_of(k), pose, piece.geometry.now)) return true;
+    }
+    return false;
+}
+
+namespace {
+
+bool before_pair(const PairContacts& p, const PairContacts& q) {
+    const bool wall_p = is_wall(p.j);
+    const bool wall_q = is_wall(q.j);
+    if (wall_p != wall_q) return !wall_p;
+    if (wall_p) return p.i < q.i || (p.i == q.i && p.piece < q.piece);
+    return p.j < q.j || (p.j == q.j && p.i < q.i);
+}
+
+void take_over(GapContact& now, GapContact& old) {
+    now.normal_impulse = old.normal_impulse;
+    now.tangent_impulse = old.tangent_impulse;
+    old.normal_impulse = 0.0;
+    old.tangent_impulse = 0.0;
+}
+
+/// First by feature; what is left goes to the nearest point with a similar normal that has none yet.
+void match_pair(std::span<GapContact> now, std::span<GapContact> old) {
+    thread_local std::vector<char> done;
+    done.assign(old.size(), 0);
+    for (GapContact& c : now) {
+        for (std::size_t k = 0; k < old.size(); ++k) {
+            if (done[k] || old[k].on_i != c.on_i || old[k].vertex != c.vertex || old[k].normal.dot(c.normal) < 0.7)
+                continue;
+            take_over(c, old[k]);
+            done[k] = 1;
+            break;
+        }
+    }
+    for (std::size_t k = 0; k < old.size(); ++k) {
+        if (done[k] || old[k].normal_impulse == 0.0) continue;
+        GapContact* nearest = nullptr;
+        double least = std::numeric_limits<double>::infinity();
+        for (GapContact& c : now) {
+            if (c.normal_impulse != 0.0 || old[k].normal.dot(c.normal) < 0.7) continue;
+            const double d = (c.point - old[k].point).squaredNorm();
+            if (d < least) {
+                least = d;
+                nearest = &c;
+            }
+        }
+        if (nearest) take_over(*nearest, old[k]);
+    }
+}
+
+}  // namespace
+
+void GapDetection::match(const std::vector<PairContacts>& old_pairs, const std::vector<GapContact>& old_contacts) {
+    kept_ = old_contacts;
+    std::size_t old = 0;
+    for (const PairContacts& pair : pairs_) {
+        while (old < old_pairs.size() && before_pair(old_pairs[old], pair)) ++old;
+        if (old == old_pairs.size()) break;
+        if (before_pair(pair, old_pairs[old])) continue;
+        match_pair({contacts_.data() + pair.first, static_cast<std::size_t>(pair.count)},
+                   {kept_.data() + old_pairs[old].first, static_cast<std::size_t>(old_pairs[old].count)});
+    }
+}
+
+}  // namespace polargrain

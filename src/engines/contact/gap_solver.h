@@ -1,0 +1,77 @@
+#pragma once
+
+#include <vector>
+
+#include "src/engines/contact/gap_detection.h"
+#include "src/model/scene.h"
+#include "src/model/step_report.h"
+
+namespace polargrain {
+
+/// Carries velocities and poses through one step in sub-steps, with impacts and lasting contacts.
+///
+/// A sub-step of length h:
+/// 1. impacts: contacts that close faster than k_impact g dt and would meet within h get Stronge's impulse, fastest
+///    first (before gravity's kick, because then kinetic energy cannot rise);
+/// 2. gravity's kick, v += g h;
+/// 3. lasting contacts: projected Gauss-Seidel, first guess from the sub-step before. Normal: the gap may close to the
+///    resting gap but not beyond, u_n >= -(gap - resting) / h, else no approach (never a push-out velocity); friction
+///    within the cone of the normal impulse just found;
+/// 4. gaps and poses move on linearly; points that leave their edge hand over to the edge that follows.
+/// Energy: kick, solve and move together change it by the sum of p.u(after) - |g h + dv|^2 / 2 in the mass metric;
+/// a converged solve has p.u <= 0. A grain that no lasting contact has pushed in a sub-step moves by the exact
+/// ballistic way instead.
+class GapSolver {
+public:
+    static constexpr int k_sub_steps = 8;
+    static constexpr int k_sweeps = 2;
+    static constexpr int k_careful_sweeps = 8;
+    static constexpr double k_impact = 3.0;    ///< closing speeds above this many g dt are impacts
+    static constexpr int k_most_impacts = 20;  ///< per contact and sub-step
+    static constexpr double k_settled = 1e-3;  ///< of g h: a sweep that changes no velocity by more ends the solve
+
+    explicit GapSolver(const Scene& scene) : scene_(scene) {}
+
+    /// Advances bodies and trial poses from time to time + dt. Fills impulses and losses of the report.
+    void advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, std::int64_t step,
+                 double time, double dt, int sweeps, StepReport& report);
+
+    /// Lever arms and effective masses at the poses at which the contacts were found.
+    static void prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const PoseSet& poses);
+
+private:
+    static void prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies, const PoseSet& poses);
+    void prepare_laws(std::vector<GapContact>& contacts, std::int64_t step) const;
+    void index_by_grain(const std::vector<GapContact>& contacts);
+    void set_wall_velocities(std::vector<GapContact>& contacts, double time) const;
+
+    void impacts(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, StepReport& report);
+    bool strikes(const GapContact& c, const std::vector<SolverBody>& bodies, double h, double& speed) const;
+    void strike(GapContact& c, std::vector<SolverBody>& bodies, StepReport& report);
+
+    void lasting(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, int sweeps);
+    void keep_energy(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h) const;
+    double sweep(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, bool backwards) const;
+    void move(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, double h,
+              StepReport& report);
+    void leave_edge(GapContact& c, const std::vector<SolverBody>& bodies) const;
+
+    const Scene& scene_;
+    const PoseSet* start_ = nullptr;  ///< poses at which the contacts were found
+    double impact_speed_ = 0.0;
+    double time_ = 0.0;
+    std::int64_t step_ = 0;
+    std::vector<Vec2> velocity_before_;
+    std::vector<double> spin_before_;
+    std::vector<char> pushed_;
+    std::vector<std::int32_t> first_of_grain_, fill_, of_grain_;
+    struct Strike {
+        double speed;
+        std::int32_t contact;
+        std::int32_t stamp;
+    };
+    std::vector<Strike> heap_;
+    std::vector<std::int32_t> stamp_, uses_;
+};
+
+}  // namespace polargrain

@@ -1,0 +1,62 @@
+#include "src/engines/contact/position_correction.h"
+
+#include <algorithm>
+
+namespace polargrain {
+
+namespace {
+
+bool too_near(const GapContact& c) { return c.active && c.gap < PositionCorrection::k_trigger * c.resting; }
+
+}  // namespace
+
+bool PositionCorrection::needed(const std::vector<GapContact>& contacts) {
+    return std::any_of(contacts.begin(), contacts.end(), too_near);
+}
+
+double PositionCorrection::correct(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
+                                   const Vec2& gravity, double budget, PoseSet& trial) {
+    if (budget <= 0.0 || !needed(contacts)) return 0.0;
+    near_.clear();
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (contacts[k].active && contacts[k].gap < k_look * contacts[k].resting) {
+            near_.push_back(static_cast<std::int32_t>(k));
+        }
+    }
+
+    shift_.assign(bodies.size(), Shift{});
+    push_.assign(near_.size(), 0.0);
+    for (int s = 0; s < k_sweeps; ++s) {
+        for (std::size_t m = 0; m < near_.size(); ++m) {
+            const std::size_t n = s % 2 == 0 ? m : near_.size() - 1 - m;
+            const GapContact& c = contacts[static_cast<std::size_t>(near_[n])];
+            const double aim = too_near(c) ? c.gap + k_part * (c.resting - c.gap) : k_trigger * c.resting;
+            Shift& i = shift_[Grains::at(c.i)];
+            double gap = c.gap + c.normal.dot(i.way) + c.arm_ni * i.turn;
+            if (!is_wall(c.j)) {
+                const Shift& j = shift_[Grains::at(c.j)];
+                gap -= c.normal.dot(j.way) + c.arm_nj * j.turn;
+            }
+            const double push = std::max(0.0, push_[n] + c.mass_n * (aim - gap));
+            const double change = push - push_[n];
+            push_[n] = push;
+            if (change == 0.0) continue;
+            i.way += bodies[Grains::at(c.i)].inverse_mass * change * c.normal;
+            i.turn += bodies[Grains::at(c.i)].inverse_inertia * change * c.arm_ni;
+            if (is_wall(c.j)) continue;
+            Shift& j = shift_[Grains::at(c.j)];
+            j.way -= bodies[Grains::at(c.j)].inverse_mass * change * c.normal;
+            j.turn -= bodies[Grains::at(c.j)].inverse_inertia * change * c.arm_nj;
+        }
+    }
+    double lift = 0.0;
+    for (std::size_t k = 0; k < bodies.size(); ++k) lift -= gravity.dot(shift_[k].way) / bodies[k].inverse_mass;
+    const double part = lift > budget ? budget / lift : 1.0;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        trial.centre[k] += part * shift_[k].way;
+        trial.angle[k] += part * shift_[k].turn;
+    }
+    return part * lift;
+}
+
+}  // namespace polargrain

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "src/engines/contact/gap_contact.h"
+#include "src/engines/contact/gap_detection.h"
+
+namespace polargrain {
+
+/// Moves trial poses apart a little where predicted gaps have become too small; velocities are not touched.
+///
+/// A unilateral, frictionless projected Gauss-Seidel on displacements, weighted by mass and inertia: gaps below
+/// k_trigger of the resting gap are opened by k_part of what they lack; others may close to k_trigger of it, no
+/// farther. What it lifts costs energy: the whole correction is scaled so that the potential energy it adds does not
+/// exceed `budget`, what the step has dissipated.
+class PositionCorrection {
+public:
+    static constexpr double k_trigger = 0.7;
+    static constexpr double k_part = 0.3;
+    static constexpr double k_look = 1.5;  ///< gaps beyond this many resting gaps take no part
+    static constexpr int k_sweeps = 6;
+
+    /// Is any gap below k_trigger of its resting gap?
+    static bool needed(const std::vector<GapContact>& contacts);
+
+    /// budget [J/m] >= 0. Returns the potential energy added [J/m].
+    double correct(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Vec2& gravity,
+                   double budget, PoseSet& trial);
+
+private:
+    struct Shift {
+        Vec2 way = Vec2::Zero();
+        double turn = 0.0;
+    };
+    std::vector<Shift> shift_;
+    std::vector<std::int32_t> near_;
+    std::vector<double> push_;
+};
+
+}  // namespace polargrain
