@@ -24,69 +24,77 @@ std::int64_t cell_of(double position, double cell) { return static_cast<std::int
 void NeighbourSearch::find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs) {
     pairs.clear();
     if (circles.size() < 2) return;
-
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const BoundingCircle& c : circles) smallest = std::min(smallest, c.radius);
-    // Level l holds radii up to smallest x 2^(l + 1) in cells of twice that: a circle reaches the neighbouring cells
-    // of its level at most.
-    const auto level_of = [smallest](double radius) {
-        return radius > smallest ? std::max(0, std::ilogb(radius / smallest)) : 0;
-    };
-    const auto cell_size = [smallest](int level) { return std::ldexp(smallest, level + 2); };
-
-    entries_.clear();
-    int top_level = 0;
-    for (std::size_t k = 0; k < circles.size(); ++k) {
-        const int level = level_of(circles[k].radius);
-        const double cell = cell_size(level);
-        top_level = std::max(top_level, level);
-        entries_.push_back({cell_of(circles[k].centre.x(), cell), cell_of(circles[k].centre.y(), cell), level,
-                            static_cast<GrainIndex>(k)});
-    }
-    std::vector<char> level_used(static_cast<std::size_t>(top_level) + 1, 0);
-    for (const Entry& e : entries_) level_used[static_cast<std::size_t>(e.level)] = 1;
-
-    // Counting sort into hash buckets; a bucket keeps rising circle numbers.
-    const std::uint32_t buckets = std::bit_ceil(static_cast<std::uint32_t>(2 * circles.size()));
-    bucket_start_.assign(buckets + 1, 0);
-    const auto bucket_of = [buckets](std::int64_t x, std::int64_t y, std::int32_t level) {
-        return cell_hash(x, y, level) & (buckets - 1);
-    };
-    for (const Entry& e : entries_) ++bucket_start_[bucket_of(e.cell_x, e.cell_y, e.level) + 1];
-    for (std::uint32_t b = 0; b < buckets; ++b) bucket_start_[b + 1] += bucket_start_[b];
-    sorted_.resize(entries_.size());
-    std::vector<std::int32_t> fill(bucket_start_.begin(), bucket_start_.end() - 1);
-    for (const Entry& e : entries_) {
-        sorted_[static_cast<std::size_t>(fill[bucket_of(e.cell_x, e.cell_y, e.level)]++)] = e;
-    }
-
+    enter(circles);
+    sort_into_buckets();
     // Each circle looks at its own level and at every coarser one, where it meets the larger circles.
+    const auto levels = static_cast<std::int32_t>(level_used_.size());
     for (const Entry& self : entries_) {
-        const BoundingCircle& circle = circles[static_cast<std::size_t>(self.circle)];
-        for (int level = self.level; level <= top_level; ++level) {
-            if (!level_used[static_cast<std::size_t>(level)]) continue;
-            const double cell = cell_size(level);
-            const std::int64_t cx = cell_of(circle.centre.x(), cell);
-            const std::int64_t cy = cell_of(circle.centre.y(), cell);
-            for (std::int64_t y = cy - 1; y <= cy + 1; ++y) {
-                for (std::int64_t x = cx - 1; x <= cx + 1; ++x) {
-                    const std::uint32_t b = bucket_of(x, y, level);
-                    for (std::int32_t n = bucket_start_[b]; n < bucket_start_[b + 1]; ++n) {
-                        const Entry& other = sorted_[static_cast<std::size_t>(n)];
-                        if (other.level != level || other.cell_x != x || other.cell_y != y) continue;
-                        if (level == self.level && other.circle <= self.circle) continue;
-                        const BoundingCircle& reached = circles[static_cast<std::size_t>(other.circle)];
-                        const double reach = circle.radius + reached.radius;
-                        if ((circle.centre - reached.centre).squaredNorm() < reach * reach) {
-                            pairs.emplace_back(std::min(self.circle, other.circle),
-                                               std::max(self.circle, other.circle));
-                        }
-                    }
-                }
-            }
+        for (std::int32_t level = self.level; level < levels; ++level) {
+            if (level_used_[static_cast<std::size_t>(level)]) meet(self, level, circles, pairs);
         }
     }
     std::sort(pairs.begin(), pairs.end());
+}
+
+// Level l holds radii up to smallest x 2^(l + 1) in cells of twice that: a circle reaches the neighbouring cells of its
+// level at most.
+double NeighbourSearch::cell_size(std::int32_t level) const { return std::ldexp(smallest_, level + 2); }
+
+std::uint32_t NeighbourSearch::bucket_of(std::int64_t x, std::int64_t y, std::int32_t level) const {
+    return cell_hash(x, y, level) & (static_cast<std::uint32_t>(bucket_start_.size()) - 2);
+}
+
+void NeighbourSearch::enter(std::span<const BoundingCircle> circles) {
+    smallest_ = std::numeric_limits<double>::infinity();
+    for (const BoundingCircle& c : circles) smallest_ = std::min(smallest_, c.radius);
+    entries_.clear();
+    level_used_.clear();
+    for (std::size_t k = 0; k < circles.size(); ++k) {
+        const auto& [centre, radius] = circles[k];
+        const std::int32_t level = radius > smallest_ ? std::max(0, std::ilogb(radius / smallest_)) : 0;
+        const double cell = cell_size(level);
+        if (level_used_.size() <= static_cast<std::size_t>(level)) {
+            level_used_.resize(static_cast<std::size_t>(level) + 1, 0);
+        }
+        level_used_[static_cast<std::size_t>(level)] = 1;
+        entries_.push_back({cell_of(centre.x(), cell), cell_of(centre.y(), cell), level, static_cast<GrainIndex>(k)});
+    }
+}
+
+// Counting sort into a power of two of hash buckets; a bucket keeps rising circle numbers.
+void NeighbourSearch::sort_into_buckets() {
+    const std::uint32_t buckets = std::bit_ceil(static_cast<std::uint32_t>(2 * entries_.size()));
+    bucket_start_.assign(buckets + 1, 0);
+    for (const Entry& e : entries_) ++bucket_start_[bucket_of(e.cell_x, e.cell_y, e.level) + 1];
+    for (std::uint32_t b = 0; b < buckets; ++b) bucket_start_[b + 1] += bucket_start_[b];
+    sorted_.resize(entries_.size());
+    fill_.assign(bucket_start_.begin(), bucket_start_.end() - 1);
+    for (const Entry& e : entries_) {
+        sorted_[static_cast<std::size_t>(fill_[bucket_of(e.cell_x, e.cell_y, e.level)]++)] = e;
+    }
+}
+
+void NeighbourSearch::meet(const Entry& self, std::int32_t level, std::span<const BoundingCircle> circles,
+                           std::vector<GrainPair>& pairs) const {
+    const BoundingCircle& circle = circles[static_cast<std::size_t>(self.circle)];
+    const double cell = cell_size(level);
+    const std::int64_t cx = cell_of(circle.centre.x(), cell);
+    const std::int64_t cy = cell_of(circle.centre.y(), cell);
+    for (std::int64_t place = 0; place < 9; ++place) {
+        const std::int64_t x = cx - 1 + place % 3;
+        const std::int64_t y = cy - 1 + place / 3;
+        const std::uint32_t b = bucket_of(x, y, level);
+        for (std::int32_t n = bucket_start_[b]; n < bucket_start_[b + 1]; ++n) {
+            const Entry& other = sorted_[static_cast<std::size_t>(n)];
+            if (other.level != level || other.cell_x != x || other.cell_y != y) continue;
+            if (level == self.level && other.circle <= self.circle) continue;
+            const BoundingCircle& reached = circles[static_cast<std::size_t>(other.circle)];
+            const double reach = circle.radius + reached.radius;
+            if ((circle.centre - reached.centre).squaredNorm() < reach * reach) {
+                pairs.emplace_back(std::min(self.circle, other.circle), std::max(self.circle, other.circle));
+            }
+        }
+    }
 }
 
 }  // namespace polargrain

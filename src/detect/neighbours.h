@@ -32,7 +32,17 @@ private:
         std::int32_t level;
         GrainIndex circle;
     };
-    std::vector<std::int32_t> bucket_start_;
+
+    void enter(std::span<const BoundingCircle> circles);
+    void sort_into_buckets();
+    void meet(const Entry& self, std::int32_t level, std::span<const BoundingCircle> circles,
+              std::vector<GrainPair>& pairs) const;
+    double cell_size(std::int32_t level) const;
+    std::uint32_t bucket_of(std::int64_t x, std::int64_t y, std::int32_t level) const;
+
+    double smallest_ = 0.0;         // radius [m]
+    std::vector<char> level_used_;  // is there a circle of this level?
+    std::vector<std::int32_t> bucket_start_, fill_;
     std::vector<Entry> entries_, sorted_;
 };
 
