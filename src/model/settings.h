@@ -10,7 +10,7 @@
 namespace polargrain {
 
 /// The engine that runs where a scenario names none.
-inline constexpr const char* k_default_engine = "contact-1994";
+inline constexpr const char* k_default_engine = "contact";
 
 struct RunSettings {
     std::string engine = k_default_engine;
