@@ -28,17 +28,12 @@ inline double reach_along(const PolarPolygon& grain, const Vec2& direction) {
     return std::max(std::max(reach[0], reach[1]), std::max(reach[2], reach[3]));
 }
 
-/// Calls visit(k) in rising order for each vertex k of the grain that can lie in another body, which stands about the
-/// origin of the frame that the grain's pose is given in and reaches `other_reach` [m] towards the grain: the vertices
-/// beyond the line across the way at that distance [HN94, Fig. 4]. Stops and returns true at the first visit that
-/// returns true.
+/// Calls visit(k) in rising order for each vertex k of the grain whose station along the unit direction (of its own
+/// frame) exceeds `limit` [m]. Stops and returns true at the first visit that returns true.
 template <typename Visit>
-bool any_facing_vertex(const PolarPolygon& grain, const Pose& pose, double other_reach, Visit visit) {
-    const double distance = std::sqrt(pose.centre.squaredNorm());
-    const Vec2 towards = distance > 0.0 ? Vec2(pose.turned_back(-pose.centre / distance)) : Vec2(Vec2::Zero());
-    const double limit = distance - other_reach;
-    const double tx = towards.x();
-    const double ty = towards.y();
+bool any_vertex_beyond(const PolarPolygon& grain, const Vec2& direction, double limit, Visit visit) {
+    const double tx = direction.x();
+    const double ty = direction.y();
     const double* x = grain.x();
     const double* y = grain.y();
     for (int base = 0; base < grain.size(); base += 64) {
@@ -53,6 +48,16 @@ bool any_facing_vertex(const PolarPolygon& grain, const Pose& pose, double other
         }
     }
     return false;
+}
+
+/// The same for the vertices that can lie in another body, which stands about the origin of the frame that the grain's
+/// pose is given in and reaches `other_reach` [m] towards the grain: those beyond the line across the way at that
+/// distance [HN94, Fig. 4].
+template <typename Visit>
+bool any_facing_vertex(const PolarPolygon& grain, const Pose& pose, double other_reach, Visit visit) {
+    const double distance = std::sqrt(pose.centre.squaredNorm());
+    const Vec2 towards = distance > 0.0 ? Vec2(pose.turned_back(-pose.centre / distance)) : Vec2(Vec2::Zero());
+    return any_vertex_beyond(grain, towards, distance - other_reach, visit);
 }
 
 /// The same for another polygon: how far it reaches towards a grain at the given pose in its frame.

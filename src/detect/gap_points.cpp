@@ -56,11 +56,9 @@ struct EdgeGaps {
 
 /// The edge that bounds the free space of a vertex outside, by the feature and reflex rules; none where the true
 /// contact is elsewhere.
-EdgeGaps edges_near(const PolarPolygon& polygon, const Approach& v, const GapRules& rules) {
+/// `edge` is the edge of the sector that holds the vertex, `gap` the distance from it, not beyond the margin.
+EdgeGaps edges_near(const PolarPolygon& polygon, const Approach& v, int edge, double gap, const GapRules& rules) {
     EdgeGaps edges;
-    const int edge = polygon.sector_of(v.p);
-    const double gap = gap_to_edge(polygon, edge, v.p);
-    if (gap > rules.margin) return edges;
     struct End {
         int vertex;
         int across;
@@ -129,18 +127,23 @@ void set_range(GapPoint& point, const Vec2& a, bool a_bounds, const Vec2& b, boo
     point.high = high_bounds && high >= 0.0 ? high + slack : k_unbounded;
 }
 
-/// Vertices of `owner` near `other`; the owner is i where on_i.
+/// Vertices of `owner` near `other`; the owner is i where on_i. towards: unit, from the owner to the other, in the
+/// owner's frame; only vertices farther along it than `limit` can be near.
 void add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, const PolarPolygon& other,
-                       const Pose& other_pose, bool on_i, const GapRules& rules, std::vector<GapPoint>& points) {
+                       const Pose& other_pose, bool on_i, const Vec2& towards, double limit, const GapRules& rules,
+                       std::vector<GapPoint>& points) {
     const Pose relative = owner_pose.relative_to(other_pose);
     const double circle = other.outer_radius() + rules.margin;
-    any_facing_vertex(owner, relative, reach_towards(other, relative) + rules.margin, [&](int k) {
+    any_vertex_beyond(owner, towards, limit, [&](int k) {
         const Vec2 v = owner.vertex(k);
         const Vec2 p = relative.to_world(v);
         if (p.squaredNorm() >= circle * circle) return false;
+        const int sector = other.sector_of(p);
+        const double sector_gap = gap_to_edge(other, sector, p);
+        if (sector_gap > rules.margin) return false;
         const Approach approach{p, relative.turned(owner.vertex(owner.previous(k)) - v),
                                 relative.turned(owner.vertex(owner.next(k)) - v)};
-        const EdgeGaps edges = edges_near(other, approach, rules);
+        const EdgeGaps edges = edges_near(other, approach, sector, sector_gap, rules);
         for (int n = 0; n < edges.count; ++n) {
             const auto [edge, gap] = edges.found[n];
             const Vec2 outward = other_pose.turned(other.normal(edge));
@@ -154,23 +157,34 @@ void add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, const 
     });
 }
 
-void gap_points(const PolarPolygon& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j,
+bool gap_points(const PolarPolygon& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j,
                 const GapRules& rules, std::vector<GapPoint>& points) {
+    const Vec2 way = pose_i.centre - pose_j.centre;
+    const double distance = std::sqrt(way.squaredNorm());
+    const Vec2 direction = distance > 0.0 ? Vec2(way / distance) : Vec2(Vec2::UnitX());
+    const Vec2 from_j = pose_j.turned_back(direction);
+    const Vec2 from_i = pose_i.turned_back(-direction);
+    const double reach_j = reach_along(j, from_j);
+    const double reach_i = reach_along(i, from_i);
+    const bool apart = reach_i + reach_j <= distance;
+    if (reach_i + reach_j + rules.margin <= distance) return false;
     const std::size_t first = points.size();
-    add_vertex_points(i, pose_i, j, pose_j, true, rules, points);
-    add_vertex_points(j, pose_j, i, pose_i, false, rules, points);
+    add_vertex_points(i, pose_i, j, pose_j, true, from_i, distance - reach_j - rules.margin, rules, points);
+    add_vertex_points(j, pose_j, i, pose_i, false, from_j, distance - reach_i - rules.margin, rules, points);
     reduce_gap_points(points, first);
+    return !apart;
 }
 
-void gap_points(const Disk& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
+bool gap_points(const Disk& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
                 std::vector<GapPoint>& points) {
     const Vec2 apart = pose_i.centre - pose_j.centre;
     const double distance = std::sqrt(apart.squaredNorm());
     const double gap = distance - i.radius() - j.radius();
-    if (gap > rules.margin || distance == 0.0) return;
+    if (gap > rules.margin || distance == 0.0) return distance == 0.0;
     const Vec2 normal = apart / distance;
     points.push_back(
         {pose_j.centre + normal * (j.radius() + 0.5 * gap), normal, gap, -k_unbounded, k_unbounded, -1, -1, true});
+    return gap < 0.0;
 }
 
 /// The nearest points of a polygon's boundary to a disk, where the distance has a local minimum. disk_is_i: the normal
@@ -205,21 +219,24 @@ void add_disk_points(const Disk& disk, const Pose& disk_pose, const PolarPolygon
     }
 }
 
-void gap_points(const Disk& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j, const GapRules& rules,
+bool gap_points(const Disk& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j, const GapRules& rules,
                 std::vector<GapPoint>& points) {
     add_disk_points(i, pose_i, j, pose_j, true, rules, points);
+    return true;
 }
 
-void gap_points(const PolarPolygon& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
+bool gap_points(const PolarPolygon& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
                 std::vector<GapPoint>& points) {
     add_disk_points(j, pose_j, i, pose_i, false, rules, points);
+    return true;
 }
 
 }  // namespace
 
-void find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j, const GapRules& rules,
+bool find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j, const GapRules& rules,
                      std::vector<GapPoint>& points) {
-    std::visit([&](const auto& s, const auto& t) { gap_points(s, pose_i, t, pose_j, rules, points); }, i, j);
+    return std::visit([&](const auto& s, const auto& t) { return gap_points(s, pose_i, t, pose_j, rules, points); }, i,
+                      j);
 }
 
 namespace {
@@ -296,8 +313,11 @@ void wall_end_point(const PolarPolygon& grain, const Pose& pose, const Vec2& end
     const Vec2 p = pose.to_local(end);
     const double circle = grain.outer_radius() + rules.margin;
     if (p.squaredNorm() >= circle * circle) return;
+    const int sector = grain.sector_of(p);
+    const double sector_gap = gap_to_edge(grain, sector, p);
+    if (sector_gap > rules.margin) return;
     const Approach approach{p, pose.turned_back(beyond - end), pose.turned_back(other - end)};
-    const EdgeGaps edges = edges_near(grain, approach, rules);
+    const EdgeGaps edges = edges_near(grain, approach, sector, sector_gap, rules);
     for (int n = 0; n < edges.count; ++n) {
         const auto [edge, gap] = edges.found[n];
         GapPoint point{end, -pose.turned(grain.normal(edge)), gap, 0.0, 0.0, which, edge, false};

@@ -44,7 +44,8 @@ struct GapRules {
 /// - of points with similar normals only those on the lower hull of gap over tangential station can ever become the
 ///   least gap; at most k_most_per_group of them are kept.
 /// Disks meet polygons at the nearest points of their edges and corners.
-void find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j, const GapRules& rules,
+/// Returns false where a straight line is known to part the two, so that they cannot overlap.
+bool find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j, const GapRules& rules,
                      std::vector<GapPoint>& points);
 
 /// How a wall goes on at the end of a piece, on the way along the chain.

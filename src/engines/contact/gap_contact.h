@@ -13,27 +13,28 @@ namespace polargrain {
 ///
 /// The normal points out of j into i, t = (n_y, -n_x). Lever arms are taken at the pose at which the contact was found
 /// and hold for one step. Gap, impulses and travel change from sub-step to sub-step.
-struct GapContact {
+struct alignas(64) GapContact {
+    // What the solver's sweeps touch comes first, in two cache lines.
     BodyIndex i = 0, j = 0;  ///< i a grain; j a lower grain, or a wall
-    Vec2 point = Vec2::Zero();
+    bool active = true;      ///< false once the point has left its edge for good in this step
+    bool on_i = true;        ///< the point belongs to i
     Vec2 normal = Vec2::UnitY();
     double gap = 0.0;              ///< [m]
+    double resting = 0.0;          ///< the gap at which the pair rests [m]
     double normal_impulse = 0.0;   ///< of the last sub-step, on i along n [N s/m], kept as the next one's first guess
     double tangent_impulse = 0.0;  ///< along t
+    double friction = 0.0;
+    double mass_n = 0.0, mass_t = 0.0;                              ///< effective masses along n and t [kg/m]
+    double arm_ni = 0.0, arm_ti = 0.0, arm_nj = 0.0, arm_tj = 0.0;  ///< cross(r, n), cross(r, t) [m]
+    Vec2 wall_velocity = Vec2::Zero();  ///< of the wall's material at the point, in this sub-step [m/s]
+
+    Vec2 point = Vec2::Zero();                              ///< where the contact was found [m]
     double low = -std::numeric_limits<double>::infinity();  ///< travel for which the point stays over its edge [m]
     double high = std::numeric_limits<double>::infinity();
     double travel = 0.0;
+    double restitution = 0.0;
+    Vec2 total_impulse = Vec2::Zero();  ///< on i in this step [N s/m]
     std::int32_t vertex = 0, edge = 0, piece = 0;
-    bool on_i = true;
-    bool active = true;  ///< false once the point has left its edge for good in this step
-
-    // Set by prepare():
-    double resting = 0.0;  ///< the gap at which the pair rests [m]
-    double friction = 0.0, restitution = 0.0;
-    double arm_ni = 0.0, arm_ti = 0.0, arm_nj = 0.0, arm_tj = 0.0;  ///< cross(r, n), cross(r, t)
-    double mass_n = 0.0, mass_t = 0.0;                              ///< effective masses along n and t
-    Vec2 wall_velocity = Vec2::Zero();  ///< of the wall's material at the point, in this sub-step [m/s]
-    Vec2 total_impulse = Vec2::Zero();  ///< on i in this step
 
     Vec2 tangent() const { return right_normal(normal); }
 };

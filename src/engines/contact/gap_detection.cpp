@@ -145,8 +145,8 @@ void GapDetection::detect_pair(const PoseSet& now, GrainIndex a, GrainIndex b) {
     points_.clear();
     const Shape& shape_a = scene_.shape_of(a);
     const Shape& shape_b = scene_.shape_of(b);
-    find_gap_points(shape_b, pose_b, shape_a, pose_a, rules, points_);
-    store(b, a, -1, overlap(shape_a, pose_a, shape_b, pose_b));
+    const bool close = find_gap_points(shape_b, pose_b, shape_a, pose_a, rules, points_);
+    store(b, a, -1, close && overlap(shape_a, pose_a, shape_b, pose_b));
 }
 
 void GapDetection::detect_wall(const PoseSet& before, const PoseSet& now, GrainIndex k, std::int32_t index) {

@@ -226,7 +226,7 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, std::vector<SolverBod
     }
     const double settled = k_settled * std::sqrt(kick.squaredNorm());
     for (int s = 0; s < sweeps; ++s) {
-        if (sweep(contacts, bodies, h, s % 2 != 0) < settled) break;
+        if (!sweep(contacts, bodies, h, settled, s % 2 != 0)) break;
     }
     for (const GapContact& c : contacts) {
         if (c.normal_impulse == 0.0) continue;
@@ -267,31 +267,54 @@ void GapSolver::keep_energy(const std::vector<GapContact>& contacts, std::vector
     }
 }
 
-/// One pass over all contacts; the largest change of a contact's velocity [m/s].
-double GapSolver::sweep(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h,
-                        bool backwards) const {
-    double largest = 0.0;
+/// One pass over all contacts; false where no contact's velocity has changed by more than `settled` [m/s].
+bool GapSolver::sweep(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, double settled,
+                      bool backwards) const {
+    bool changed = false;
     const std::size_t n = contacts.size();
+    const double per_h = 1.0 / h;
+    SolverBody still;  // stands for every wall: its velocity is the contact's wall_velocity, its inertia infinite
     for (std::size_t k = 0; k < n; ++k) {
         GapContact& c = contacts[backwards ? n - 1 - k : k];
         if (!c.active) continue;
+        SolverBody& i = bodies[at(c.i)];
+        SolverBody& j = is_wall(c.j) ? still : bodies[at(c.j)];
+        const double nx = c.normal.x();
+        const double ny = c.normal.y();
+        double ux = i.velocity.x() - j.velocity.x() - c.wall_velocity.x();
+        double uy = i.velocity.y() - j.velocity.y() - c.wall_velocity.y();
+        double wi = i.spin;
+        double wj = j.spin;
+        const double masses = i.inverse_mass + j.inverse_mass;
+
         const double open = c.gap - c.resting;
-        const double target = open > 0.0 ? -open / h : 0.0;
-        const double normal = std::max(0.0, c.normal_impulse - c.mass_n * (normal_speed(c, bodies) - target));
+        const double target = open > 0.0 ? -open * per_h : 0.0;
+        const double u_n = nx * ux + ny * uy + c.arm_ni * wi - c.arm_nj * wj;
+        const double normal = std::max(0.0, c.normal_impulse - c.mass_n * (u_n - target));
         const double change_n = normal - c.normal_impulse;
-        if (change_n != 0.0) push(c, bodies, change_n, 0.0);
-        c.normal_impulse = normal;
-        const double cone = c.friction * normal;
-        double tangential = 0.0;
-        if (cone > 0.0) {
-            tangential = std::clamp(c.tangent_impulse - c.mass_t * tangent_speed(c, bodies), -cone, cone);
+        if (change_n != 0.0) {
+            ux += masses * change_n * nx;
+            uy += masses * change_n * ny;
+            wi += i.inverse_inertia * change_n * c.arm_ni;
+            wj -= j.inverse_inertia * change_n * c.arm_nj;
         }
-        const double change_t = tangential - c.tangent_impulse;
-        if (change_t != 0.0) push(c, bodies, 0.0, change_t);
-        c.tangent_impulse = tangential;
-        largest = std::max({largest, std::abs(change_n) / c.mass_n, std::abs(change_t) / c.mass_t});
+        const double cone = c.friction * normal;
+        double change_t = -c.tangent_impulse;
+        if (cone > 0.0) {
+            const double u_t = ny * ux - nx * uy + c.arm_ti * wi - c.arm_tj * wj;
+            change_t += std::clamp(c.tangent_impulse - c.mass_t * u_t, -cone, cone);
+        }
+        if (change_n == 0.0 && change_t == 0.0) continue;
+        const Vec2 p{change_n * nx + change_t * ny, change_n * ny - change_t * nx};
+        i.velocity += i.inverse_mass * p;
+        i.spin = wi + i.inverse_inertia * change_t * c.arm_ti;
+        j.velocity -= j.inverse_mass * p;
+        j.spin = wj - j.inverse_inertia * change_t * c.arm_tj;
+        c.normal_impulse = normal;
+        c.tangent_impulse += change_t;
+        changed = changed || std::abs(change_n) > settled * c.mass_n || std::abs(change_t) > settled * c.mass_t;
     }
-    return largest;
+    return changed;
 }
 
 void GapSolver::move(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, double h,

@@ -51,7 +51,8 @@ private:
 
     void lasting(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, int sweeps);
     void keep_energy(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h) const;
-    double sweep(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, bool backwards) const;
+    bool sweep(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, double settled,
+               bool backwards) const;
     void move(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, double h,
               StepReport& report);
     void leave_edge(GapContact& c, const std::vector<SolverBody>& bodies) const;
