@@ -65,6 +65,21 @@ void expect_near(const Vec2& measured, const Vec2& expected, double tolerance = 
     EXPECT_NEAR(measured.y(), expected.y(), tolerance);
 }
 
+/// Turning and scaling the drawing turns and scales its contact.
+void expect_turned_and_scaled(const Drawing& d, const auto& direct) {
+    for (const double angle : {0.4, 1.7, -2.6, k_pi}) {
+        for (const double factor : {1e-3, 1.0, 250.0}) {
+            const Pose turn = Pose::at(Vec2(0.3, -0.7), angle);
+            const auto image = contact(turned_and_scaled(d, angle, factor));
+            ASSERT_TRUE(image) << angle << " x " << factor;
+            expect_near(image->point, turn.to_world(factor * direct.point), 1e-9 * factor);
+            expect_near(image->normal, turn.turned(direct.normal), 1e-9);
+            EXPECT_EQ(image->which, direct.which) << to_string(image->which);
+            EXPECT_NEAR(image->depth, factor * direct.depth, 1e-9 * factor);
+        }
+    }
+}
+
 /// Checks the drawing itself and all its images against the normal (out of b into a) and case found by hand.
 void expect_contact(const Drawing& d, const Vec2& point, const Vec2& normal, NormalCase which) {
     const auto direct = contact(d);
@@ -85,17 +100,7 @@ void expect_contact(const Drawing& d, const Vec2& point, const Vec2& normal, Nor
     expect_near(swap->normal, -normal);
     EXPECT_EQ(swap->which, which) << "swapped: " << to_string(swap->which);
 
-    for (const double angle : {0.4, 1.7, -2.6, k_pi}) {
-        for (const double factor : {1e-3, 1.0, 250.0}) {
-            const Pose turn = Pose::at(Vec2(0.3, -0.7), angle);
-            const auto image = contact(turned_and_scaled(d, angle, factor));
-            ASSERT_TRUE(image) << angle << " x " << factor;
-            expect_near(image->point, turn.to_world(factor * point), 1e-9 * factor);
-            expect_near(image->normal, turn.turned(normal), 1e-9);
-            EXPECT_EQ(image->which, which) << to_string(image->which);
-            EXPECT_NEAR(image->depth, factor * direct->depth, 1e-9 * factor);
-        }
-    }
+    expect_turned_and_scaled(d, *direct);
 }
 
 constexpr double k_down = -1.0;

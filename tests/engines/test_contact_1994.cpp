@@ -65,6 +65,14 @@ INSTANTIATE_TEST_SUITE_P(Shapes, NoOverlap,
                                            PourShape::mixed),
                          shape_name);
 
+/// Checks the next step's trial configuration; grains: the present state, whose velocities get gravity's kick.
+TrialConfiguration check_trial(TrialCheck& check, const Running& sim, Grains& grains, double dt) {
+    TrialConfiguration configuration;
+    take_trial(grains, sim.scene.gravity, dt, configuration);
+    check.run(configuration, grains, sim.world.time, sim.world.time + dt);
+    return configuration;
+}
+
 TEST(Contact1994, EveryRejectedGrainIsInARecordedContact) {
     Running sim(testing::pour(PourShape::rough, 100, 4, 0.3, 0.2, 10));
     const double dt = sim.engine->suggested_dt();
@@ -73,9 +81,7 @@ TEST(Contact1994, EveryRejectedGrainIsInARecordedContact) {
     sim.run(0.5, dt, [&] {
         if (sim.world.step % 10 != 0) return;
         Grains grains = sim.world.grains;
-        TrialConfiguration configuration;
-        take_trial(grains, sim.scene.gravity, dt, configuration);
-        check.run(configuration, grains, sim.world.time, sim.world.time + dt);
+        const TrialConfiguration configuration = check_trial(check, sim, grains, dt);
         const auto& rejected = update.decide(check.overlaps());
         std::vector<RecordedContact> contacts;
         check.record(configuration, grains, rejected, contacts);
@@ -96,9 +102,7 @@ TEST(ReachCount, EqualsWarshallOnRealBeds) {
     sim.run(0.6, dt, [&] {
         if (sim.world.step % 25 != 0) return;
         Grains grains = sim.world.grains;
-        TrialConfiguration configuration;
-        take_trial(grains, sim.scene.gravity, dt, configuration);
-        check.run(configuration, grains, sim.world.time, sim.world.time + dt);
+        check_trial(check, sim, grains, dt);
         const auto& order = check.overlaps().order;
         const WarshallClosure closure(grains.size(), order);
         ReachCount reach;

@@ -6,27 +6,27 @@
 namespace polargrain {
 namespace {
 
-constexpr GrainIndex A = 0, B = 1, C = 2, D = 3;
+constexpr GrainIndex k_a = 0, k_b = 1, k_c = 2, k_d = 3;
 
 /// [HN94, Fig. 9]: trial B' and C' overlap; D' overlaps A; A', C' and D' overlap what B leaves.
 TrialOverlaps figure_9() {
     TrialOverlaps found;
     found.blocked.assign(4, 0);
-    found.conflicts = {{B, C}};
-    found.order = {{B, A}, {A, D}, {B, C}};
+    found.conflicts = {{k_b, k_c}};
+    found.order = {{k_b, k_a}, {k_a, k_d}, {k_b, k_c}};
     return found;
 }
 
 TEST(MotionUpdate, Figure9CountsDependants) {
     MotionUpdate update;
     update.decide(figure_9());
-    EXPECT_EQ(update.dependants(A), 1);
-    EXPECT_EQ(update.dependants(B), 3);
-    EXPECT_EQ(update.dependants(C), 0);
-    EXPECT_EQ(update.dependants(D), 0);
+    EXPECT_EQ(update.dependants(k_a), 1);
+    EXPECT_EQ(update.dependants(k_b), 3);
+    EXPECT_EQ(update.dependants(k_c), 0);
+    EXPECT_EQ(update.dependants(k_d), 0);
     const WarshallClosure closure(4, figure_9().order);
-    EXPECT_TRUE(closure.related(B, D)) << "B before A before D";
-    EXPECT_FALSE(closure.related(A, C));
+    EXPECT_TRUE(closure.related(k_b, k_d)) << "B before A before D";
+    EXPECT_FALSE(closure.related(k_a, k_c));
 }
 
 TEST(MotionUpdate, Figure9RejectsCAlone) {
@@ -36,7 +36,7 @@ TEST(MotionUpdate, Figure9RejectsCAlone) {
 
 TEST(MotionUpdate, RejectionTakesTheDependantsAlong) {
     TrialOverlaps found = figure_9();
-    found.blocked[A] = 1;
+    found.blocked[k_a] = 1;
     MotionUpdate update;
     EXPECT_EQ(update.decide(found), (std::vector<char>{1, 0, 1, 1}));
 }
@@ -44,7 +44,7 @@ TEST(MotionUpdate, RejectionTakesTheDependantsAlong) {
 TEST(MotionUpdate, OnATieTheLowerNumberStays) {
     TrialOverlaps found;
     found.blocked.assign(2, 0);
-    found.conflicts = {{A, B}};
+    found.conflicts = {{k_a, k_b}};
     MotionUpdate update;
     EXPECT_EQ(update.decide(found), (std::vector<char>{1, 0}));
 }
@@ -52,11 +52,11 @@ TEST(MotionUpdate, OnATieTheLowerNumberStays) {
 TEST(MotionUpdate, ARingWaitsForItself) {
     TrialOverlaps found;
     found.blocked.assign(3, 0);
-    found.order = {{A, B}, {B, C}, {C, A}};
+    found.order = {{k_a, k_b}, {k_b, k_c}, {k_c, k_a}};
     MotionUpdate update;
     EXPECT_EQ(update.decide(found), (std::vector<char>{0, 0, 0})) << "all move at once";
-    EXPECT_EQ(update.dependants(A), 2) << "a grain is not its own dependant";
-    found.blocked[B] = 1;
+    EXPECT_EQ(update.dependants(k_a), 2) << "a grain is not its own dependant";
+    found.blocked[k_b] = 1;
     EXPECT_EQ(update.decide(found), (std::vector<char>{1, 1, 1}));
 }
 

@@ -7,6 +7,9 @@
 
 namespace polargrain {
 
+/// Kinetic energy of one grain, per metre of depth [J/m].
+double kinetic_energy(const SolverBody& body);
+
 /// Kinetic energy plus potential energy at the given poses, per metre of depth [J/m].
 double total_energy(const std::vector<SolverBody>& bodies, const PoseSet& poses, const Vec2& gravity);
 

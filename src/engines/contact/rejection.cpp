@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/detect/overlap.h"
+#include "src/engines/contact/energy_guard.h"
 
 namespace polargrain {
 
@@ -23,8 +24,7 @@ int Rejection::run(GapDetection& detection, const PoseSet& before, PoseSet& tria
             rejected_[k] = 1;
             SolverBody& body = bodies[k];
             const double unrealised = scene_.gravity.dot(trial.centre[k] - before.centre[k]) / body.inverse_mass;
-            const double kinetic =
-                0.5 * (body.velocity.squaredNorm() / body.inverse_mass + body.spin * body.spin / body.inverse_inertia);
+            const double kinetic = kinetic_energy(body);
             if (unrealised > 0.0 && kinetic > 0.0) {
                 const double scale = std::sqrt(std::max(0.0, 1.0 - unrealised / kinetic));
                 body.velocity *= scale;

@@ -25,7 +25,12 @@ public:
 
 private:
     void choose_grains(const GapDetection& detection, const std::vector<GapContact>& contacts, int rings);
-    void solve(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, PoseSet& trial);
+    void solve(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const PoseSet& trial);
+    void collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
+                      const PoseSet& trial);
+
+    /// Only chosen grains give way; the others stand like walls.
+    bool gives_way(BodyIndex body) const { return !is_wall(body) && chosen_[Grains::at(body)]; }
 
     struct Row {
         std::int32_t contact;
