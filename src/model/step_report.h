@@ -16,10 +16,10 @@ struct EnergyLedger {
     double friction_loss = 0.0;     ///< taken by the tangential impulses
     double wall_work = 0.0;         ///< done by moving walls on the grains
     double correction = 0.0;        ///< potential energy added by moving grains apart without a force
-    /// Energy that the method itself makes (or destroys, if negative): gravity work of moves that were rejected,
-    /// corrections. A perfect method has zero here.
+    /// Energy that the method itself makes (or destroys, if negative), such as gravity work of moves that were
+    /// rejected: what closes the ledger. A perfect method has zero here.
     double created = 0.0;
-    double rises = 0.0;  ///< sum of the positive parts of `created`, step by step: the honesty meter
+    double rises = 0.0;  ///< energy made without a cause in the step, never negative: the honesty meter
 
     EnergyLedger& operator+=(const EnergyLedger& other);
 };
