@@ -1,0 +1,185 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/core/random.h"
+#include "src/engines/contact/contact_engine.h"
+#include "tests/support/running.h"
+#include "tests/support/scenes.h"
+
+namespace polargrain {
+namespace {
+
+using testing::PourShape;
+using testing::Running;
+
+constexpr double k_g = 9.81;
+constexpr double k_d = 0.02;
+
+/// Peak acceleration of three times gravity at 20 Hz.
+SineMotion shaking() {
+    const double omega = 2.0 * k_pi * 20.0;
+    return {{0.0, 1.0}, 3.0 * k_g / (omega * omega), 20.0, 0.0};
+}
+
+class ShakenBox : public ::testing::TestWithParam<PourShape> {};
+
+TEST_P(ShakenBox, AtThreeTimesGravityNothingOverlapsAndTheWorkOfTheWallsClosesTheLedger) {
+    const std::uint64_t seed = 5;
+    Scene scene = testing::pour(GetParam(), 60, seed, 0.5, 0.3, 10);
+    scene.walls[0].motion = shaking();
+    Running sim(make_contact, scene);
+    const double dt = sim.engine->suggested_dt();
+    int overlaps = 0;
+    sim.run(1.0, dt, [&] {
+        if (sim.world.step % 20 == 0) {
+            overlaps += testing::count_overlaps(sim.scene, sim.world.grains, sim.world.time, 1e-9);
+        }
+    });
+    fmt::print("seed {} dt {:.3g}: overlaps {}, rejected {:.4f} %, wall work {:.4f}, lost {:.4f}, E0 {:.4f}, ", seed,
+               dt, overlaps, 100.0 * sim.rejected_share(), sim.ledger.wall_work,
+               sim.ledger.restitution_loss + sim.ledger.friction_loss, sim.start_energy);
+    fmt::print("rises {:.2g} E0, ledger {:.2g} E0\n", sim.ledger.rises / sim.start_energy,
+               sim.ledger_error / sim.start_energy);
+    EXPECT_EQ(overlaps, 0);
+    EXPECT_LT(sim.rejected_share(), 1e-3);
+    EXPECT_LT(sim.ledger_error, 1e-12 * sim.start_energy);
+    EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
+    EXPECT_GT(sim.ledger.wall_work, 0.05 * sim.start_energy) << "a shaken floor feeds the bed";
+    EXPECT_GT(sim.restlessness(k_d), 1e-3) << "and keeps it moving";
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, ShakenBox, ::testing::Values(PourShape::rough, PourShape::disk, PourShape::mixed),
+                         [](const auto& c) {
+                             return c.param == PourShape::rough  ? "rough"
+                                    : c.param == PourShape::disk ? "disk"
+                                                                 : "mixed";
+                         });
+
+class LiftedByAFloor : public ::testing::TestWithParam<bool> {};
+
+TEST_P(LiftedByAFloor, AGrainIsThrownWhereTheFloorsAccelerationFallsBelowGravity) {
+    Scene scene = testing::empty_scene(0.0, 0.3);
+    const SineMotion motion{{0.0, 1.0}, 0.01, 10.0, 0.0};
+    testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}}, motion);
+    const ShapeIndex shape = GetParam() ? testing::add_rectangle(scene, k_d, k_d) : testing::add_disk(scene, 0.5 * k_d);
+    scene.add(Grain{shape, 0, {0.0, 0.5 * k_d}});
+    Running sim(make_contact, scene);
+    double highest = 0.0;
+    double deepest = 0.0;
+    double left = 0.0;
+    sim.run(0.12, 1e-4, [&] {
+        highest = std::max(highest, sim.world.grains.y[0] - 0.5 * k_d);
+        for (const Contact& c : sim.report.contacts) deepest = std::min(deepest, c.gap);
+        if (left == 0.0 && sim.world.time > 2e-3 && sim.wall_force(0, 1e-4).norm() == 0.0) left = sim.world.time;
+    });
+    const double omega = 2.0 * k_pi * motion.frequency;
+    const double sine = k_g / (motion.amplitude * omega * omega);
+    const double speed = motion.amplitude * omega * std::sqrt(1.0 - sine * sine);
+    const double exact = motion.amplitude * sine + speed * speed / (2.0 * k_g);
+    const double exact_time = std::asin(sine) / omega;
+    fmt::print("left after {:.5f} s (exact {:.5f}), {:.5f} m high (exact {:.5f}), deepest overlap {:.2g} m\n", left,
+               exact_time, highest, exact, deepest);
+    EXPECT_NEAR(left, exact_time, 3e-4);
+    EXPECT_NEAR(highest / exact, 1.0, 0.02);
+    EXPECT_EQ(deepest, 0.0);
+    EXPECT_NEAR(sim.world.grains.angle[0], 0.0, 1e-3) << "a resting gap may open at one corner";
+    EXPECT_EQ(sim.moves.rejected, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(DiskAndBox, LiftedByAFloor, ::testing::Bool());
+
+constexpr double k_drum_radius = 0.15;
+
+/// 60 rough grains in a closed drum of 48 flat pieces about the origin, turning counter-clockwise.
+Scene drum(double rate, std::uint64_t seed) {
+    Scene scene = testing::empty_scene(0.4, 0.5);
+    std::vector<Vec2> points;
+    for (int k = 0; k < 48; ++k) {
+        const double angle = 2.0 * k_pi * k / 48.0;
+        points.emplace_back(k_drum_radius * std::cos(angle), k_drum_radius * std::sin(angle));
+    }
+    points.push_back(points.front());
+    testing::add_wall(scene, "drum", points, RotationMotion{Vec2::Zero(), rate, 0.0});
+    RandomStream random(seed, RandomPurpose::test);
+    for (int k = 0; k < 60; ++k) {
+        const Vec2 place{(k % 8 - 3.5) * 1.3 * k_d, (k / 8 - 3.6) * 1.3 * k_d};
+        scene.add(Grain{testing::add_rough(scene, 0.5 * k_d, 0.2, static_cast<std::uint64_t>(k)), 0, place,
+                        random.uniform(-k_pi, k_pi)});
+    }
+    return scene;
+}
+
+TEST(Drum, TwoRevolutionsKeepTheGrainsInsideAndTheTorqueBalancesTheirWeight) {
+    const std::uint64_t seed = 2;
+    const double rate = k_pi;
+    Running sim(make_contact, drum(rate, seed));
+    ASSERT_EQ(testing::count_overlaps(sim.scene, sim.world.grains, 0.0, 1e-9), 0);
+    const double dt = sim.engine->suggested_dt();
+    const double weight = sim.weight();
+    int overlaps = 0;
+    double farthest = 0.0;
+    double torque_of_weight = 0.0;  // about the axle, on the grains, over the second revolution
+    double torque_of_drum = 0.0;
+    double offset = 0.0;
+    std::int64_t steps = 0;
+    sim.run(4.0, dt, [&] {
+        if (sim.world.step % 50 == 0) {
+            overlaps += testing::count_overlaps(sim.scene, sim.world.grains, sim.world.time, 1e-9);
+        }
+        double x = 0.0;
+        double mass = 0.0;
+        for (GrainIndex k = 0; k < sim.world.grains.size(); ++k) {
+            farthest = std::max(farthest, sim.world.grains.position(k).norm());
+            x += sim.world.grains.mass[Grains::at(k)] * sim.world.grains.x[Grains::at(k)];
+            mass += sim.world.grains.mass[Grains::at(k)];
+        }
+        if (sim.world.time < 2.0) return;
+        offset += x / mass;
+        torque_of_weight += -weight * (x / mass) * dt;
+        torque_of_drum += -sim.report.walls[0].angular;
+        ++steps;
+    });
+    offset /= static_cast<double>(steps);
+    fmt::print("seed {} dt {:.3g}: overlaps {}, farthest centre {:.4f} m of {}, rejected {:.4f} %, rises {:.2g} E0\n",
+               seed, dt, overlaps, farthest, k_drum_radius, 100.0 * sim.rejected_share(),
+               sim.ledger.rises / std::abs(sim.start_energy));
+    fmt::print("bed pushed {:.4f} m to the right; drum {:.5f}, weight {:.5f} N s\n", offset, torque_of_drum,
+               torque_of_weight);
+    EXPECT_EQ(overlaps, 0);
+    EXPECT_LT(farthest, k_drum_radius);
+    EXPECT_LT(sim.rejected_share(), 1e-3);
+    EXPECT_LT(sim.ledger_error, 1e-12 * weight * k_drum_radius);
+    EXPECT_LT(sim.ledger.rises, 1e-9 * weight * k_drum_radius);
+    EXPECT_GT(sim.ledger.wall_work, 0.0);
+    EXPECT_GT(offset, 0.1 * k_drum_radius) << "the bottom of the drum moves to the right and drags the bed along";
+    // Over one revolution the angular momentum of the grains changes by little against the impulses of either torque.
+    EXPECT_NEAR(torque_of_drum / -torque_of_weight, 1.0, 0.05);
+}
+
+TEST(Plug, OnceRemovedLetsItsGrainsFallFreely) {
+    Scene scene = testing::empty_scene(0.2, 0.2);
+    testing::add_wall(scene, "plug", {{-1.0, 0.0}, {1.0, 0.0}});
+    scene.walls[0].remove_at = 0.3;
+    const ShapeIndex box = testing::add_rectangle(scene, k_d, k_d);
+    const ShapeIndex disk = testing::add_disk(scene, 0.5 * k_d);
+    scene.add(Grain{box, 0, {0.0, 0.5 * k_d}});
+    scene.add(Grain{disk, 0, {0.1, 0.5 * k_d}});
+    Running sim(make_contact, scene);
+    sim.run(0.3, 1e-3);
+    const Grains held = sim.world.grains;
+    EXPECT_NEAR(held.y[0], 0.5 * k_d, 2e-3 * k_d);
+    EXPECT_NEAR(-sim.wall_force(0, 1e-3).y() / sim.weight(), 1.0, 1e-6);
+    sim.run(0.5, 1e-3);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double exact = held.y[k] + held.vy[k] * 0.2 - 0.5 * k_g * 0.04;
+        fmt::print("fell to {:.9f} m, exact {:.9f}\n", sim.world.grains.y[k], exact);
+        EXPECT_NEAR(sim.world.grains.y[k], exact, 1e-9);
+        EXPECT_EQ(sim.wall_force(0, 1e-3), Vec2(0.0, 0.0));
+    }
+}
+
+}  // namespace
+}  // namespace polargrain
