@@ -7,24 +7,25 @@ namespace polargrain {
 
 PairList::PairList(std::vector<double> radii) : radii_(std::move(radii)) {}
 
-bool PairList::update(std::span<const Vec2> from, std::span<const Vec2> to, std::span<const double> clearance) {
+bool PairList::update(std::span<const Pose> from, std::span<const Pose> to, std::span<const double> clearance) {
     const auto clear = [clearance](std::size_t k) { return clearance.empty() ? 0.0 : clearance[k]; };
     bool valid = built_at_.size() == from.size();
     for (std::size_t k = 0; valid && k < from.size(); ++k) {
         const double margin = std::max(0.0, margin_[k] - clear(k));
-        valid =
-            std::max((from[k] - built_at_[k]).squaredNorm(), (to[k] - built_at_[k]).squaredNorm()) < margin * margin;
+        valid = std::max((from[k].centre - built_at_[k]).squaredNorm(), (to[k].centre - built_at_[k]).squaredNorm()) <
+                margin * margin;
     }
     if (valid) return false;
 
-    built_at_.assign(to.begin(), to.end());
+    built_at_.resize(from.size());
     margin_.resize(from.size());
     circles_.clear();
     for (std::size_t k = 0; k < from.size(); ++k) {
         // A grain that moves or looks farther than its margin gets the room that it needs now.
-        const double way = std::sqrt((to[k] - from[k]).squaredNorm());
+        const double way = std::sqrt((to[k].centre - from[k].centre).squaredNorm());
         margin_[k] = std::max(k_margin * radii_[k] + clear(k), way + clear(k));
-        circles_.push_back({to[k], radii_[k] + margin_[k]});
+        built_at_[k] = to[k].centre;
+        circles_.push_back({to[k].centre, radii_[k] + margin_[k]});
     }
     search_.find_pairs(circles_, pairs_);
     return true;

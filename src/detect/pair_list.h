@@ -17,10 +17,10 @@ public:
 
     /// Brings the list up to date for grains that may be anywhere on the way from `from` to `to`; true if it was made
     /// anew. All pairs whose circles meet at either end are listed afterwards.
-    bool update(std::span<const Vec2> from, std::span<const Vec2> to) { return update(from, to, {}); }
+    bool update(std::span<const Pose> from, std::span<const Pose> to) { return update(from, to, {}); }
 
     /// The same for grains that want to know of others within a clearance [m] about them; one per grain, or none.
-    bool update(std::span<const Vec2> from, std::span<const Vec2> to, std::span<const double> clearance);
+    bool update(std::span<const Pose> from, std::span<const Pose> to, std::span<const double> clearance);
 
     const std::vector<GrainPair>& pairs() const { return pairs_; }
     double radius(GrainIndex k) const { return radii_[Grains::at(k)]; }

@@ -19,20 +19,17 @@ PolarPolygon::PolarPolygon(std::string name, std::span<const Vec2> vertices, con
 }
 
 void PolarPolygon::fill_tables(std::span<const Vec2> vertices) {
-    data_.resize(static_cast<std::size_t>(4 * stride()));
+    data_.resize(static_cast<std::size_t>(3 * stride()));
     double* px = data_.data();
     double* py = px + stride();
-    double* nx = py + stride();
-    double* ny = nx + stride();
+    double* inverse_length = py + stride();
     inner_radius_ = std::numeric_limits<double>::infinity();
     for (int q = 0; q <= size_; ++q) {
         const Vec2& a = vertices[static_cast<std::size_t>(q % size_)];
         const Vec2& b = vertices[static_cast<std::size_t>((q + 1) % size_)];
-        const Vec2 n = unit(right_normal(b - a));
         px[q] = a.x();
         py[q] = a.y();
-        nx[q] = n.x();
-        ny[q] = n.y();
+        inverse_length[q] = 1.0 / std::sqrt((b - a).squaredNorm());
         outer_radius_ = std::max(outer_radius_, std::sqrt(a.squaredNorm()));
         const double along = std::clamp(-a.dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
         inner_radius_ = std::min(inner_radius_, std::sqrt((a + along * (b - a)).squaredNorm()));

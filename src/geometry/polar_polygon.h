@@ -44,9 +44,11 @@ public:
 
     Vec2 vertex(int q) const { return {x()[q], y()[q]}; }
     /// Outward unit normal of edge q, from vertex q to the next.
-    Vec2 normal(int q) const { return {normal_x()[q], normal_y()[q]}; }
+    Vec2 normal(int q) const {
+        return {(y()[q + 1] - y()[q]) * inverse_length()[q], (x()[q] - x()[q + 1]) * inverse_length()[q]};
+    }
     /// Distance of the line of edge q from the centre of mass; positive.
-    double offset(int q) const { return x()[q] * normal_x()[q] + y()[q] * normal_y()[q]; }
+    double offset(int q) const { return (x()[q] * y()[q + 1] - y()[q] * x()[q + 1]) * inverse_length()[q]; }
     int next(int q) const { return q + 1 == size_ ? 0 : q + 1; }
     int previous(int q) const { return q == 0 ? size_ - 1 : q - 1; }
     PolarVertex polar_vertex(int q) const;
@@ -65,7 +67,9 @@ public:
     /// outside. Same sign as the triangle test of [HN94, sec. 3.4.1, Fig. 5], and a length besides.
     double depth(const Vec2& p) const { return depth(p, sector_of(p)); }
     double depth(const Vec2& p, int sector) const {
-        return (x()[sector] - p.x()) * normal_x()[sector] + (y()[sector] - p.y()) * normal_y()[sector];
+        const double* px = x() + sector;
+        const double* py = y() + sector;
+        return ((px[0] - p.x()) * (py[1] - py[0]) - (py[0] - p.y()) * (px[1] - px[0])) * inverse_length()[sector];
     }
 
     /// The same outline, larger by the factor: finite and positive, else InputError.
@@ -81,14 +85,14 @@ private:
     int first_in_bin(int bin) const;
 
     std::ptrdiff_t stride() const { return size_ + 1; }
-    const double* normal_x() const { return data_.data() + 2 * stride(); }
-    const double* normal_y() const { return data_.data() + 3 * stride(); }
+    const double* inverse_length() const { return data_.data() + 2 * stride(); }
 
     std::string name_;
     int size_ = 0;
     int bins_ = 0;
     double area_ = 0.0, polar_moment_ = 0.0, outer_radius_ = 0.0, inner_radius_ = 0.0;
-    std::vector<double> data_;           // x, y, normal x, normal y, each size_ + 1 long
+    std::vector<double> data_;  // x, y, inverse edge length, each size_ + 1 long: no more, as grains with shapes of
+                                // their own carry one each
     std::vector<std::uint8_t> sectors_;  // see first_in_bin; a byte a bin, or two where a byte is too short
 };
 

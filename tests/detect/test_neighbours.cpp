@@ -45,6 +45,12 @@ TEST(NeighbourSearch, FindsExactlyThePairsOfAllPairsChecking) {
     }
 }
 
+std::vector<Pose> poses_at(const std::vector<Vec2>& centres) {
+    std::vector<Pose> poses;
+    for (const Vec2& c : centres) poses.push_back(Pose::at(c, 0.0));
+    return poses;
+}
+
 TEST(PairList, NeverMissesAPairThatMeetsOnTheWay) {
     RandomStream random(52, RandomPurpose::test);
     std::vector<double> radii;
@@ -58,7 +64,7 @@ TEST(PairList, NeverMissesAPairThatMeetsOnTheWay) {
     for (int step = 0; step < 300; ++step) {
         std::vector<Vec2> next = centres;
         for (Vec2& c : next) c += Vec2(random.normal(), random.normal()) * (step % 50 == 0 ? 0.01 : 1e-4);
-        made_anew += list.update(centres, next) ? 1 : 0;
+        made_anew += list.update(poses_at(centres), poses_at(next)) ? 1 : 0;
         for (const auto* at : {&centres, &next}) {
             std::vector<BoundingCircle> circles;
             for (std::size_t k = 0; k < radii.size(); ++k) circles.push_back({(*at)[k], radii[k]});

@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, NoOverlap,
 TrialConfiguration check_trial(TrialCheck& check, const Running& sim, Grains& grains, double dt) {
     TrialConfiguration configuration;
     take_trial(grains, sim.scene.gravity, dt, configuration);
-    check.run(configuration, grains, sim.world.time, sim.world.time + dt);
+    std::vector<RecordedContact> contacts;
+    check.run(configuration, grains, sim.world.time, sim.world.time + dt, contacts);
     return configuration;
 }
 

@@ -23,7 +23,7 @@ public:
         contact_stage_.process(contacts_, world, dt, report);
         take_trial(world.grains, scene_.gravity, dt, configuration_);
         const double trial_time = static_cast<double>(world.step + 1) * dt;
-        trial_check_.run(configuration_, world.grains, world.time, trial_time);
+        trial_check_.run(configuration_, world.grains, world.time, trial_time, contacts_);
         const std::vector<char>& rejected = motion_update_.decide(trial_check_.overlaps());
         trial_check_.record(configuration_, world.grains, rejected, contacts_);
         move(world.grains, rejected, report);
@@ -46,13 +46,13 @@ private:
     void move(Grains& grains, const std::vector<char>& rejected, StepReport& report) const {
         for (GrainIndex k = 0; k < grains.size(); ++k) {
             const std::size_t i = Grains::at(k);
-            const Vec2 way = configuration_.trial_centre[i] - configuration_.current_centre[i];
+            const Vec2 way = configuration_.trial[i].centre - configuration_.current[i].centre;
             ++report.moves.tried;
             if (rejected[i]) {
                 ++report.moves.rejected;
                 report.ledger.created += grains.mass[i] * scene_.gravity.dot(way);
             } else {
-                grains.set_position(k, configuration_.trial_centre[i]);
+                grains.set_position(k, configuration_.trial[i].centre);
                 grains.angle[i] = configuration_.trial_angle[i];
             }
         }

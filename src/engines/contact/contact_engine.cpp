@@ -159,11 +159,12 @@ private:
             now - energy_before - ledger.wall_work + ledger.restitution_loss + ledger.friction_loss - ledger.correction;
     }
 
+    /// The contacts found at the new poses become those of the next step, with the old impulses as first guesses; the
+    /// old ones go back to the detection, which reuses their memory after they have been reported.
     void hand_over_contacts() {
         detection_.match(pairs_, contacts_);
-        report_contacts_.swap(contacts_);
-        contacts_ = detection_.contacts();
-        pairs_ = detection_.pairs();
+        contacts_.swap(detection_.contacts());
+        pairs_.swap(detection_.pairs());
     }
 
     void give_state(World& world, StepReport& report) {
@@ -174,7 +175,7 @@ private:
             world.grains.set_velocity(g, bodies_[k].velocity);
             world.grains.spin[k] = bodies_[k].spin;
         }
-        for (const GapContact& c : report_contacts_) {
+        for (const GapContact& c : detection_.contacts()) {
             if (c.total_impulse == Vec2::Zero()) continue;
             report.contacts.push_back({c.j, c.i, c.point, c.normal, c.gap, c.total_impulse});
         }
@@ -189,7 +190,7 @@ private:
     Rejection rejection_;
     std::vector<SolverBody> bodies_;
     PoseSet before_, trial_;
-    std::vector<GapContact> contacts_, report_contacts_;
+    std::vector<GapContact> contacts_;
     std::vector<PairContacts> pairs_;
     bool detected_ = false;
     int careful_ = 0;

@@ -54,6 +54,10 @@ void ContactStage::prepare(const std::vector<RecordedContact>& contacts, World& 
     for (const Wall& wall : scene_.walls) walls_.push_back(wall_motion(wall, world.time));
 
     prepared_.clear();
+    if (prepared_.capacity() < contacts.size()) {
+        std::vector<Prepared>().swap(prepared_);  // the old room goes before the new one comes
+        prepared_.reserve(contacts.size() + contacts.size() / 8);
+    }
     heap_.clear();
     first_of_grain_.assign(world.grains.x.size() + 1, 0);
     for (const RecordedContact& c : contacts) {

@@ -178,12 +178,12 @@ void GapDetection::detect(const PoseSet& before, const PoseSet& now, const std::
                            std::abs(bodies[k].spin) * list_.radius(static_cast<GrainIndex>(k));
         clearance_[k] = dt * own + gravity_way_ + k_resting * diameter_[k];
     }
-    list_.update(before.centre, now.centre, clearance_);
+    list_.update(before.pose, now.pose, clearance_);
     find_agitation(now, bodies, dt);
     for (std::size_t k = 0; k < clearance_.size(); ++k) {
         clearance_[k] = std::max(clearance_[k], look_ahead_[k] + gravity_way_ + k_resting * diameter_[k]);
     }
-    list_.update(before.centre, now.centre, clearance_);
+    list_.update(before.pose, now.pose, clearance_);
 
     contacts_.clear();
     pairs_.clear();
@@ -198,50 +198,40 @@ void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const
     kept_pairs_.swap(pairs_);
     contacts_.clear();
     pairs_.clear();
-    const auto has_moved = [&](BodyIndex body) { return !is_wall(body) && moved[Grains::at(body)]; };
-    std::size_t old = 0;
-    const auto keep_until = [&](BodyIndex i, BodyIndex j, std::int32_t piece) {
-        // The old pairs come in the same order; those of pairs that have not moved are taken over.
-        const PairContacts& pair = kept_pairs_[old];
-        if (old >= kept_pairs_.size() || pair.i != i || pair.j != j || pair.piece != piece) return;
-        PairContacts copy = pair;
-        copy.first = static_cast<std::int32_t>(contacts_.size());
-        contacts_.insert(contacts_.end(), kept_.begin() + pair.first, kept_.begin() + pair.first + pair.count);
-        pairs_.push_back(copy);
+    // The old pairs come in the order in which all pairs are gone through.
+    std::size_t next = 0;
+    const auto old_pair = [&](BodyIndex i, BodyIndex j, std::int32_t piece) -> const PairContacts* {
+        if (next == kept_pairs_.size()) return nullptr;
+        const PairContacts& pair = kept_pairs_[next];
+        if (pair.i != i || pair.j != j || pair.piece != piece) return nullptr;
+        ++next;
+        return &pair;
     };
-    const auto step_over = [&](BodyIndex i, BodyIndex j, std::int32_t piece) {
-        if (old < kept_pairs_.size() && kept_pairs_[old].i == i && kept_pairs_[old].j == j &&
-            kept_pairs_[old].piece == piece) {
-            ++old;
-        }
+    const auto keep = [&](const PairContacts* pair) {
+        if (pair == nullptr) return;
+        pairs_.push_back(*pair);
+        pairs_.back().first = static_cast<std::int32_t>(contacts_.size());
+        contacts_.insert(contacts_.end(), kept_.begin() + pair->first, kept_.begin() + pair->first + pair->count);
     };
     for (const auto& [a, b] : list_.pairs()) {
-        if (has_moved(a) || has_moved(b)) {
+        const PairContacts* old = old_pair(b, a, -1);
+        if (moved[Grains::at(a)] || moved[Grains::at(b)]) {
             detect_pair(now, a, b);
-        } else if (old < kept_pairs_.size()) {
-            keep_until(b, a, -1);
+        } else {
+            keep(old);
         }
-        step_over(b, a, -1);
     }
     for (GrainIndex k = 0; k < static_cast<GrainIndex>(now.centre.size()); ++k) {
         for (std::size_t p = 0; p < pieces_.size(); ++p) {
             const auto piece = static_cast<std::int32_t>(p);
-            const BodyIndex wall = wall_body(pieces_[p].wall);
-            if (has_moved(k)) {
+            const PairContacts* old = old_pair(k, wall_body(pieces_[p].wall), piece);
+            if (moved[Grains::at(k)]) {
                 detect_wall(before, now, k, piece);
-            } else if (old < kept_pairs_.size()) {
-                keep_until(k, wall, piece);
+            } else {
+                keep(old);
             }
-            step_over(k, wall, piece);
         }
     }
-}
-
-bool GapDetection::overlaps_wall(GrainIndex k, const Pose& pose) const {
-    for (const Piece& piece : pieces_) {
-        if (overlap(scene_.shape_of(k), pose, piece.geometry.now)) return true;
-    }
-    return false;
 }
 
 namespace {
@@ -292,15 +282,14 @@ void match_pair(std::span<GapContact> now, std::span<GapContact> old) {
 
 }  // namespace
 
-void GapDetection::match(const std::vector<PairContacts>& old_pairs, const std::vector<GapContact>& old_contacts) {
-    kept_ = old_contacts;
+void GapDetection::match(const std::vector<PairContacts>& old_pairs, std::vector<GapContact>& old_contacts) {
     std::size_t old = 0;
     for (const PairContacts& pair : pairs_) {
         while (old < old_pairs.size() && before_pair(old_pairs[old], pair)) ++old;
         if (old == old_pairs.size()) break;
         if (before_pair(pair, old_pairs[old])) continue;
         match_pair({contacts_.data() + pair.first, static_cast<std::size_t>(pair.count)},
-                   {kept_.data() + old_pairs[old].first, static_cast<std::size_t>(old_pairs[old].count)});
+                   {old_contacts.data() + old_pairs[old].first, static_cast<std::size_t>(old_pairs[old].count)});
     }
 }
 

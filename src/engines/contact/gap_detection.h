@@ -44,16 +44,16 @@ public:
     void detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved);
 
     std::vector<GapContact>& contacts() { return contacts_; }
+    std::vector<PairContacts>& pairs() { return pairs_; }
     const std::vector<PairContacts>& pairs() const { return pairs_; }
     const std::vector<GrainPair>& near_pairs() const { return list_.pairs(); }
 
     /// The gap at which two bodies rest [m]: k_resting of the smaller one's mean diameter.
     double resting_gap(BodyIndex i, BodyIndex j) const;
 
-    /// Takes the impulses of `old` contacts over to those of the same features, as first guesses of the solver.
-    void match(const std::vector<PairContacts>& old_pairs, const std::vector<GapContact>& old_contacts);
+    /// Takes the impulses of old contacts over to those of the same features, as first guesses of the solver.
+    void match(const std::vector<PairContacts>& old_pairs, std::vector<GapContact>& old_contacts);
 
-    bool overlaps_wall(GrainIndex k, const Pose& pose) const;
     double radius(GrainIndex k) const { return list_.radius(k); }
 
     static constexpr double k_resting = 1e-3;

@@ -39,8 +39,6 @@ void take_trial(Grains& grains, const Vec2& gravity, double dt, TrialConfigurati
     const std::size_t n = grains.x.size();
     c.current.resize(n);
     c.trial.resize(n);
-    c.current_centre.resize(n);
-    c.trial_centre.resize(n);
     c.trial_angle.resize(n);
     const Vec2 fall = 0.5 * dt * dt * gravity;
     const Vec2 kick = dt * gravity;
@@ -49,27 +47,26 @@ void take_trial(Grains& grains, const Vec2& gravity, double dt, TrialConfigurati
         const Vec2 x = grains.position(g);
         const Vec2 v = grains.velocity(g);
         c.current[k] = Pose::at(x, grains.angle[k]);
-        c.current_centre[k] = x;
-        c.trial_centre[k] = x + dt * v + fall;
         c.trial_angle[k] = grains.angle[k] + dt * grains.spin[k];
-        c.trial[k] = Pose::at(c.trial_centre[k], c.trial_angle[k]);
+        c.trial[k] = Pose::at(x + dt * v + fall, c.trial_angle[k]);
         grains.set_velocity(g, v + kick);
     }
 }
 
 TrialCheck::TrialCheck(const Scene& scene) : scene_(scene), pairs_(outer_radii(scene)) {}
 
-void TrialCheck::run(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time) {
+void TrialCheck::run(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time,
+                     std::vector<RecordedContact>& contacts) {
     overlaps_.conflicts.clear();
     overlaps_.order.clear();
     overlaps_.blocked.assign(grains.x.size(), 0);
-    found_.clear();
-    check_walls(configuration, grains, time, trial_time);
-    check_pairs(configuration, grains);
+    contacts.clear();
+    check_walls(configuration, grains, time, trial_time, contacts);
+    check_pairs(configuration, grains, contacts);
 }
 
 void TrialCheck::check_walls(const TrialConfiguration& configuration, const Grains& grains, double time,
-                             double trial_time) {
+                             double trial_time, std::vector<RecordedContact>& contacts) {
     place_pieces(scene_, trial_time, pieces_);
     wall_motions_.clear();
     for (const Wall& wall : scene_.walls) wall_motions_.push_back(wall_motion(wall, trial_time));
@@ -83,9 +80,9 @@ void TrialCheck::check_walls(const TrialConfiguration& configuration, const Grai
             const Motion& wall = wall_motions_[static_cast<std::size_t>(piece.wall)];
             const PlacedShape placed{shape, pose, motion_of(grains, k)};
             const auto contact =
-                find_contact(placed, piece.piece, wall, home_side(piece, configuration.current_centre[Grains::at(k)]));
+                find_contact(placed, piece.piece, wall, home_side(piece, configuration.current[Grains::at(k)].centre));
             if (!contact) continue;
-            found_.push_back(
+            contacts.push_back(
                 {wall_body(piece.wall), k, contact->point, contact->normal, Vec2::Zero(), pose.centre, contact->depth});
             const Wall& owner = scene_.walls[static_cast<std::size_t>(piece.wall)];
             if (piece.moves && recedes(placed, *contact, owner, time, trial_time - time)) continue;
@@ -106,25 +103,26 @@ bool TrialCheck::recedes(const PlacedShape& grain, const ContactGeometry& contac
     return relative.dot(contact.normal) >= -k_round_off * std::sqrt(kick.squaredNorm());
 }
 
-void TrialCheck::check_pairs(const TrialConfiguration& configuration, const Grains& grains) {
-    pairs_.update(configuration.current_centre, configuration.trial_centre);
+void TrialCheck::check_pairs(const TrialConfiguration& configuration, const Grains& grains,
+                             std::vector<RecordedContact>& contacts) {
+    pairs_.update(configuration.current, configuration.trial);
     for (const auto& [a, b] : pairs_.pairs()) {
         const std::size_t i = Grains::at(a);
         const std::size_t j = Grains::at(b);
         const double reach = pairs_.radius(a) + pairs_.radius(b);
         const Shape& shape_a = scene_.shape_of(a);
         const Shape& shape_b = scene_.shape_of(b);
-        if (circles_meet(configuration.trial_centre[i], configuration.trial_centre[j], reach) &&
+        if (circles_meet(configuration.trial[i].centre, configuration.trial[j].centre, reach) &&
             overlap(shape_a, configuration.trial[i], shape_b, configuration.trial[j])) {
             overlaps_.conflicts.emplace_back(a, b);
             const auto contact = contact_between(scene_, grains, a, configuration.trial[i], b, configuration.trial[j]);
-            if (contact) found_.push_back(*contact);
+            if (contact) contacts.push_back(*contact);
         }
-        if (circles_meet(configuration.current_centre[i], configuration.trial_centre[j], reach) &&
+        if (circles_meet(configuration.current[i].centre, configuration.trial[j].centre, reach) &&
             overlap(shape_a, configuration.current[i], shape_b, configuration.trial[j])) {
             overlaps_.order.emplace_back(a, b);
         }
-        if (circles_meet(configuration.trial_centre[i], configuration.current_centre[j], reach) &&
+        if (circles_meet(configuration.trial[i].centre, configuration.current[j].centre, reach) &&
             overlap(shape_a, configuration.trial[i], shape_b, configuration.current[j])) {
             overlaps_.order.emplace_back(b, a);
         }
@@ -133,7 +131,6 @@ void TrialCheck::check_pairs(const TrialConfiguration& configuration, const Grai
 
 void TrialCheck::record(const TrialConfiguration& configuration, const Grains& grains,
                         const std::vector<char>& rejected, std::vector<RecordedContact>& contacts) const {
-    contacts = found_;
     std::sort(contacts.begin(), contacts.end(), by_bodies);
     const std::size_t sorted = contacts.size();
     // A grain rejected for the sake of one that stays has run into that one's current pose.

@@ -14,7 +14,6 @@ namespace polargrain {
 /// Where every grain is and where free flight would take it. [HN94, eqs. 47-52]
 struct TrialConfiguration {
     std::vector<Pose> current, trial;
-    std::vector<Vec2> current_centre, trial_centre;
     std::vector<double> trial_angle;
 };
 
@@ -28,19 +27,22 @@ public:
     explicit TrialCheck(const Scene& scene);
 
     /// Velocities of the grains are those after the trial. time, trial_time: at the beginning of the step, and when the
-    /// trial poses are reached.
-    void run(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time);
+    /// trial poses are reached. `contacts` becomes the contacts of all trial overlaps.
+    void run(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time,
+             std::vector<RecordedContact>& contacts);
 
     const TrialOverlaps& overlaps() const { return overlaps_; }
 
-    /// Contacts for the next step's contact stage, sorted by (a, b): all trial overlaps, and for every rejected grain
-    /// the grain that it would have run into.
+    /// Completes the contacts for the next step's contact stage, sorted by (a, b): for every rejected grain the grain
+    /// that it would have run into is added, where that pair is not there yet.
     void record(const TrialConfiguration& configuration, const Grains& grains, const std::vector<char>& rejected,
                 std::vector<RecordedContact>& contacts) const;
 
 private:
-    void check_walls(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time);
-    void check_pairs(const TrialConfiguration& configuration, const Grains& grains);
+    void check_walls(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time,
+                     std::vector<RecordedContact>& contacts);
+    void check_pairs(const TrialConfiguration& configuration, const Grains& grains,
+                     std::vector<RecordedContact>& contacts);
     bool recedes(const PlacedShape& grain, const ContactGeometry& contact, const Wall& wall, double time,
                  double dt) const;
 
@@ -49,7 +51,6 @@ private:
     std::vector<PlacedPiece> pieces_;
     std::vector<Motion> wall_motions_;
     TrialOverlaps overlaps_;
-    std::vector<RecordedContact> found_;  ///< of all trial overlaps, with walls and among grains
 };
 
 }  // namespace polargrain
