@@ -1,0 +1,139 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "src/core/random.h"
+#include "src/engines/contact/contact_engine.h"
+#include "tests/support/running.h"
+#include "tests/support/scenes.h"
+
+namespace polargrain {
+namespace {
+
+using testing::Running;
+
+/// Grains above a flat bottom with a hole in the middle, closed by a plug until `open_at`.
+Scene silo(double width, double opening, double height, double open_at, double restitution, double friction) {
+    Scene scene = testing::empty_scene(restitution, friction);
+    const double middle = 0.5 * width;
+    testing::add_wall(scene, "left", {{0.0, height}, {0.0, 0.0}, {middle - 0.5 * opening, 0.0}});
+    testing::add_wall(scene, "right", {{middle + 0.5 * opening, 0.0}, {width, 0.0}, {width, height}});
+    testing::add_wall(scene, "plug", {{middle - 0.5 * opening, 0.0}, {middle + 0.5 * opening, 0.0}});
+    scene.walls.back().remove_at = open_at;
+    return scene;
+}
+
+/// Grains per second from the moment `first` of them are below the bottom to the moment `last` are; 0 if it jams.
+double discharge_rate(Running& sim, double dt, double open_at, int first, int last) {
+    double first_time = 0.0;
+    sim.run(open_at, dt);
+    while (sim.world.time < open_at + 12.0) {
+        sim.step(dt);
+        int out = 0;
+        for (const double y : sim.world.grains.y) out += y < 0.0 ? 1 : 0;
+        if (first_time == 0.0 && out >= first) first_time = sim.world.time;
+        if (out >= last) return (last - first) / (sim.world.time - first_time);
+    }
+    return 0.0;
+}
+
+struct SiloCase {
+    double opening;  ///< [d]
+    double flow;     ///< Q = (area per second) / (sqrt(g) d^1.5) of a soft-sphere program, one run
+};
+
+class DiskSilo : public ::testing::TestWithParam<SiloCase> {};
+
+/// 2500 disks of 10 mm settle for 1.5 s before the plug goes.
+Running filled_silo(double opening, double open_at, std::uint64_t seed) {
+    const double d = 0.01;
+    Scene scene = silo(40.0 * d, opening * d, 150.0 * d, open_at, 0.8, 0.3);
+    const ShapeIndex disk = testing::add_disk(scene, 0.5 * d);
+    RandomStream random(seed, RandomPurpose::test);
+    const double pitch = 1.08 * d;
+    const int across = 36;
+    for (int k = 0; k < 2500; ++k) {
+        scene.add(Grain{disk,
+                        0,
+                        {(k % across + 1.0) * pitch, (k / across + 0.6) * pitch},
+                        0.0,
+                        {0.3 * random.normal(), 0.3 * random.normal()}});
+    }
+    return Running(make_contact, std::move(scene));
+}
+
+TEST_P(DiskSilo, DischargesAsTheSoftSphereProgramDoes) {
+    const double d = 0.01;
+    const int seeds = 3;
+    double flow = 0.0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const double open_at = 1.5;
+        Running sim = filled_silo(GetParam().opening, open_at, seed);
+        const double rate = discharge_rate(sim, 5e-4, open_at, 125, 1250);
+        const double one = rate * 0.25 * k_pi * d * d / (std::sqrt(9.81) * std::pow(d, 1.5));
+        fmt::print("seed {} D/d {}: Q {:.3f}, rejected {:.4f} %, rises {:.2g} E0\n", seed, GetParam().opening, one,
+                   100.0 * sim.rejected_share(), sim.ledger.rises / sim.start_energy);
+        EXPECT_LT(sim.rejected_share(), 1e-3);
+        flow += one / seeds;
+    }
+    fmt::print("D/d {}: mean Q {:.3f}, soft spheres {:.2f} ({:+.2f} %)\n", GetParam().opening, flow, GetParam().flow,
+               100.0 * (flow / GetParam().flow - 1.0));
+    EXPECT_NEAR(flow / GetParam().flow, 1.0, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Openings, DiskSilo, ::testing::Values(SiloCase{6.0, 8.05}, SiloCase{10.0, 20.6}));
+
+/// A bed of 600 rough grains of 20 mm in a bin twenty wide, settled once for all time steps.
+Scene rough_bed(std::uint64_t seed, double opening) {
+    const double d = 0.02;
+    const double width = 20.0 * d;
+    Scene scene = silo(width, opening, 100.0 * d, 1e9, 0.3, 0.2);
+    scene.seed = seed;
+    RandomStream random(seed, RandomPurpose::test);
+    const double pitch = 1.35 * d;
+    const int across = 14;
+    for (int k = 0; k < 600; ++k) {
+        scene.add(Grain{testing::add_rough(scene, 0.5 * d, 0.2, static_cast<std::uint64_t>(k)),
+                        0,
+                        {(k % across + 0.9) * pitch, (k / across + 0.6) * pitch},
+                        random.uniform(-k_pi, k_pi),
+                        {0.1 * random.normal(), 0.1 * random.normal()}});
+    }
+    Running settling(make_contact, scene);
+    settling.run(1.8, 1e-3);
+    scene.grains = settling.world.grains;
+    scene.walls.back().remove_at = 0.0;
+    return scene;
+}
+
+TEST(RoughDischarge, DoesNotDependOnTheTimeStep) {
+    const std::vector<double> steps = {2e-3, 1e-3, 5e-4};
+    const int seeds = 12;
+    std::vector<std::vector<double>> rates(steps.size());
+    for (int seed = 0; seed < seeds; ++seed) {
+        const Scene bed = rough_bed(static_cast<std::uint64_t>(seed), 8.0 * 0.02);
+        for (std::size_t k = 0; k < steps.size(); ++k) {
+            Running sim(make_contact, bed);
+            rates[k].push_back(discharge_rate(sim, steps[k], 0.0, 30, 330));
+        }
+    }
+    std::vector<double> mean(steps.size(), 0.0);
+    std::vector<double> error(steps.size(), 0.0);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        for (const double r : rates[k]) mean[k] += r / seeds;
+        for (const double r : rates[k]) error[k] += (r - mean[k]) * (r - mean[k]);
+        error[k] = std::sqrt(error[k] / (seeds - 1.0) / seeds);
+        fmt::print("dt {:.3g}: {:.1f} +- {:.1f} grains/s\n", steps[k], mean[k], error[k]);
+        EXPECT_GT(mean[k], 0.0);
+    }
+    for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
+        const double finest = mean.back();
+        const double noise = std::hypot(error[k], error.back());
+        EXPECT_LT(std::abs(mean[k] - finest), std::max(0.02 * finest, 2.0 * noise)) << "dt " << steps[k];
+    }
+}
+
+}  // namespace
+}  // namespace polargrain

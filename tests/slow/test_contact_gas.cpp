@@ -1,0 +1,155 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/core/random.h"
+#include "src/engines/contact/contact_engine.h"
+#include "tests/support/running.h"
+#include "tests/support/scenes.h"
+
+namespace polargrain {
+namespace {
+
+using testing::Running;
+
+constexpr double k_d = 0.02;
+
+/// n disks in a closed square box of smooth elastic walls without gravity, at area fraction phi, T / m = 1.
+Scene gas(int n, double phi, double restitution, std::uint64_t seed) {
+    Scene scene;
+    scene.materials.add({"disk", 2000.0, {restitution, 0.0}, 0.0});
+    scene.materials.add({"wall", 0.0, {1.0, 0.0}, 0.0});
+    scene.materials.set_pair(0, 1, 0.0, polargrain::Restitution{1.0, 0.0});
+    const int across = static_cast<int>(std::lround(std::sqrt(n)));
+    const double width = k_d * std::sqrt(0.25 * k_pi * across * across / phi);
+    scene.walls.push_back(
+        {"box", 1, {{0.0, 0.0}, {width, 0.0}, {width, width}, {0.0, width}, {0.0, 0.0}}, {}, std::nullopt});
+    const ShapeIndex disk = testing::add_disk(scene, 0.5 * k_d);
+    RandomStream random(seed, RandomPurpose::test);
+    const double pitch = width / across;
+    for (int k = 0; k < across * across; ++k) {
+        scene.add(Grain{disk,
+                        0,
+                        {(k % across + 0.5) * pitch, (k / across + 0.5) * pitch},
+                        0.0,
+                        {random.normal(), random.normal()}});
+    }
+    return scene;
+}
+
+/// Mean of v^2 / 2: the temperature over the mass [m^2/s^2].
+double temperature(const Grains& grains) {
+    double sum = 0.0;
+    for (GrainIndex k = 0; k < grains.size(); ++k) sum += 0.5 * grains.velocity(k).squaredNorm();
+    return sum / static_cast<double>(grains.size());
+}
+
+/// What is counted in the middle of the box, where the walls do not order the disks.
+struct Bulk {
+    double phi = 0.0;              ///< area fraction
+    double collision_rate = 0.0;   ///< per disk [1/s]
+    double compressibility = 0.0;  ///< Z = p / (n T), by the virial of the impulses
+    double temperature = 0.0;
+    std::int64_t collisions = 0;
+};
+
+Bulk measure_bulk(Running& sim, double duration, double dt) {
+    const double width = sim.scene.walls[0].points[2].x();
+    const double margin = 4.0 * k_d;
+    const auto inside = [&](const Vec2& p) {
+        return p.x() > margin && p.y() > margin && p.x() < width - margin && p.y() < width - margin;
+    };
+    const double start = sim.world.time;
+    double inside_time = 0.0;
+    double virial = 0.0;
+    Bulk bulk;
+    sim.report.record_impacts = true;
+    sim.run(start + duration, dt, [&] {
+        for (GrainIndex k = 0; k < sim.world.grains.size(); ++k) {
+            if (inside(sim.world.grains.position(k))) inside_time += dt;
+        }
+        bulk.temperature += temperature(sim.world.grains) * dt;
+        for (const ImpactRecord& r : sim.report.impact_records) {
+            if (is_wall(r.j) || !inside(r.point)) continue;
+            ++bulk.collisions;
+            // Touching disks are a diameter apart; the record's centres are those at the start of the step.
+            virial += r.impulse_normal * k_d;
+        }
+    });
+    const double area = (width - 2.0 * margin) * (width - 2.0 * margin);
+    bulk.phi = inside_time / duration * 0.25 * k_pi * k_d * k_d / area;
+    bulk.collision_rate = 2.0 * static_cast<double>(bulk.collisions) / inside_time;
+    bulk.temperature /= duration;
+    const double mass = sim.world.grains.mass[0];
+    bulk.compressibility = 1.0 + virial / (2.0 * inside_time * mass * bulk.temperature);
+    return bulk;
+}
+
+class ElasticGas : public ::testing::TestWithParam<double> {};
+
+TEST_P(ElasticGas, HasThePressureAndTheCollisionRateOfHardDisks) {
+    // Z = 1 + 2 phi g and rate 2 sqrt(pi) n d g sqrt(T / m), g = (1 - 7 phi / 16) / (1 - phi)^2, at the phi that the
+    // middle of the box has: the walls hold the disks' centres half a diameter off, which thins the rest.
+    const double nominal = GetParam();
+    const std::uint64_t seed = 1;
+    Running sim(make_contact, gas(625, nominal, 1.0, seed));
+    const double dt = 1e-4;
+    sim.run(0.3, dt);
+    const Bulk bulk = measure_bulk(sim, 10.0, dt);
+    const double g = (1.0 - 7.0 * bulk.phi / 16.0) / ((1.0 - bulk.phi) * (1.0 - bulk.phi));
+    const double density = bulk.phi / (0.25 * k_pi * k_d * k_d);
+    const double rate = 2.0 * std::sqrt(k_pi) * density * k_d * g * std::sqrt(bulk.temperature);
+    const double z = bulk.compressibility;
+    const double exact_z = 1.0 + 2.0 * bulk.phi * g;
+    fmt::print("seed {} phi {} (middle {:.4f}), {} collisions: Z {:.4f}, exact {:.4f} ({:+.2f} %); rate {:.3f}, ", seed,
+               nominal, bulk.phi, bulk.collisions, z, exact_z, 100.0 * (z / exact_z - 1.0), bulk.collision_rate);
+    fmt::print("exact {:.3f} ({:+.2f} %); energy kept to {:.2g}\n", rate, 100.0 * (bulk.collision_rate / rate - 1.0),
+               sim.total_energy() / sim.start_energy - 1.0);
+    EXPECT_NEAR(z / exact_z, 1.0, 0.01);
+    EXPECT_NEAR(bulk.collision_rate / rate, 1.0, 0.01);
+    EXPECT_NEAR(sim.total_energy() / sim.start_energy, 1.0, 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(AreaFractions, ElasticGas, ::testing::Values(0.1, 0.3, 0.5));
+
+class CoolingGas : public ::testing::TestWithParam<double> {};
+
+TEST_P(CoolingGas, FollowsHaffsLaw) {
+    // T = T0 exp(-(1 - e^2) C / 2), C collisions per grain; smooth elastic walls take nothing.
+    const double e = GetParam();
+    const std::uint64_t seed = 2;
+    // Started from an elastic gas, because the lattice and the draw of velocities forget themselves as slowly as it
+    // cools.
+    Running elastic(make_contact, gas(900, 0.3, 1.0, seed));
+    elastic.run(0.3, 2e-4);
+    Scene scene = gas(900, 0.3, e, seed);
+    scene.grains = elastic.world.grains;
+    Running sim(make_contact, scene);
+    sim.report.record_impacts = true;
+    const double dt = 2e-4;
+    const double start = temperature(sim.world.grains);
+    std::int64_t pairs = 0;
+    const auto per_grain = [&] { return 2.0 * static_cast<double>(pairs) / sim.world.grains.size(); };
+    double worst = 0.0;
+    double next = 2.0;
+    while (per_grain() < 8.0) {
+        sim.step(dt);
+        for (const ImpactRecord& r : sim.report.impact_records) pairs += is_wall(r.j) ? 0 : 1;
+        if (per_grain() < next) continue;
+        const double exact = std::exp(-0.5 * (1.0 - e * e) * per_grain());
+        const double measured = temperature(sim.world.grains) / start;
+        fmt::print("seed {} e {}: after {:.2f} collisions a grain T / T0 {:.4f}, exact {:.4f} ({:+.2f} %)\n", seed, e,
+                   per_grain(), measured, exact, 100.0 * (measured / exact - 1.0));
+        worst = std::max(worst, std::abs(measured / exact - 1.0));
+        next += 2.0;
+        ASSERT_LT(sim.world.time, 10.0);
+    }
+    EXPECT_LT(worst, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Restitutions, CoolingGas, ::testing::Values(0.95, 0.9));
+
+}  // namespace
+}  // namespace polargrain
