@@ -15,7 +15,6 @@
 namespace polargrain {
 namespace {
 
-using testing::DominoRow;
 using testing::Running;
 
 constexpr double k_g = 9.81;

@@ -83,7 +83,8 @@ Scene pour_outline(const std::string& name, std::uint64_t seed) {
     testing::add_box(scene, 12.0 * k_diameter, 12.0 * k_diameter);
     RandomStream random(seed, RandomPurpose::test);
     for (int k = 0; k < 40; ++k) {
-        const Vec2 place{(1.05 + 1.1 * (k % 10)) * k_diameter, (0.6 + 1.05 * (k / 10)) * k_diameter};
+        const int row = k / 10;
+        const Vec2 place{(1.05 + 1.1 * (k % 10)) * k_diameter, (0.6 + 1.05 * row) * k_diameter};
         scene.add(Grain{shape, 0, place, random.uniform(-k_pi, k_pi), {0.1 * random.normal(), 0.0}});
     }
     return scene;

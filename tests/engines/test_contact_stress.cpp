@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ std::vector<double> rejected_by_window(Running& sim, double duration, double dt,
     std::vector<double> share;
     MoveCount window;
     std::int64_t steps = 0;
-    const auto per_window = static_cast<std::int64_t>(0.1 / dt + 0.5);
+    const auto per_window = static_cast<std::int64_t>(std::lround(0.1 / dt));
     sim.run(duration, dt, [&] {
         window += sim.report.moves;
         if (sim.world.step % 50 == 0) {
@@ -61,9 +62,10 @@ Scene rows_of(Scene scene, int n, double width, double cell, std::uint64_t seed,
     RandomStream random(seed, RandomPurpose::test);
     const int across = static_cast<int>(width / cell);
     for (int k = 0; k < n; ++k) {
+        const int row = k / across;
         scene.add(Grain{shape(k),
                         0,
-                        {(k % across + 0.5) * width / across, (k / across + 0.55) * cell},
+                        {(k % across + 0.5) * width / across, (row + 0.55) * cell},
                         random.uniform(-k_pi, k_pi),
                         {0.1 * random.normal(), 0.1 * random.normal()}});
     }

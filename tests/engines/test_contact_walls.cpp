@@ -105,7 +105,8 @@ Scene drum(double rate, std::uint64_t seed) {
     testing::add_wall(scene, "drum", points, RotationMotion{Vec2::Zero(), rate, 0.0});
     RandomStream random(seed, RandomPurpose::test);
     for (int k = 0; k < 60; ++k) {
-        const Vec2 place{(k % 8 - 3.5) * 1.3 * k_d, (k / 8 - 3.6) * 1.3 * k_d};
+        const int row = k / 8;
+        const Vec2 place{(k % 8 - 3.5) * 1.3 * k_d, (row - 3.6) * 1.3 * k_d};
         scene.add(Grain{testing::add_rough(scene, 0.5 * k_d, 0.2, static_cast<std::uint64_t>(k)), 0, place,
                         random.uniform(-k_pi, k_pi)});
     }

@@ -50,8 +50,8 @@ double distance_to_outline(const Vec2& p, const std::vector<Vec2>& points) {
 int winding_number(const Vec2& p, const std::vector<Vec2>& points) {
     int winding = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const Vec2 a = points[k];
-        const Vec2 b = points[(k + 1) % points.size()];
+        const Vec2& a = points[k];
+        const Vec2& b = points[(k + 1) % points.size()];
         const double side = cross(Vec2(b - a), Vec2(p - a));
         if (a.y() <= p.y() && b.y() > p.y() && side > 0.0) ++winding;
         if (a.y() > p.y() && b.y() <= p.y() && side < 0.0) --winding;

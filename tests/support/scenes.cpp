@@ -77,7 +77,8 @@ Scene pour(PourShape shape, int n, std::uint64_t seed, double restitution, doubl
                                                                       : stick;
         }
         const double margin = 0.5 * (width - (per_row - 1) * pitch);
-        grain.position = {margin + (k % per_row) * pitch, d + (k / per_row) * pitch};
+        const int row = k / per_row;
+        grain.position = {margin + (k % per_row) * pitch, d + row * pitch};
         grain.angle = random.uniform(-k_pi, k_pi);
         grain.velocity = {0.1 * random.normal(), 0.1 * random.normal()};
         scene.add(grain);
