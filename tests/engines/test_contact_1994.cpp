@@ -66,10 +66,10 @@ INSTANTIATE_TEST_SUITE_P(Shapes, NoOverlap,
                          shape_name);
 
 /// Checks the next step's trial configuration; grains: the present state, whose velocities get gravity's kick.
-TrialConfiguration check_trial(TrialCheck& check, const Running& sim, Grains& grains, double dt) {
+TrialConfiguration check_trial(TrialCheck& check, const Running& sim, Grains& grains, double dt,
+                               std::vector<RecordedContact>& contacts) {
     TrialConfiguration configuration;
     take_trial(grains, sim.scene.gravity, dt, configuration);
-    std::vector<RecordedContact> contacts;
     check.run(configuration, grains, sim.world.time, sim.world.time + dt, contacts);
     return configuration;
 }
@@ -82,9 +82,9 @@ TEST(Contact1994, EveryRejectedGrainIsInARecordedContact) {
     sim.run(0.5, dt, [&] {
         if (sim.world.step % 10 != 0) return;
         Grains grains = sim.world.grains;
-        const TrialConfiguration configuration = check_trial(check, sim, grains, dt);
-        const auto& rejected = update.decide(check.overlaps());
         std::vector<RecordedContact> contacts;
+        const TrialConfiguration configuration = check_trial(check, sim, grains, dt, contacts);
+        const auto& rejected = update.decide(check.overlaps());
         check.record(configuration, grains, rejected, contacts);
         std::vector<char> in_contact(rejected.size(), 0);
         for (const RecordedContact& c : contacts) {
@@ -103,7 +103,8 @@ TEST(ReachCount, EqualsWarshallOnRealBeds) {
     sim.run(0.6, dt, [&] {
         if (sim.world.step % 25 != 0) return;
         Grains grains = sim.world.grains;
-        check_trial(check, sim, grains, dt);
+        std::vector<RecordedContact> contacts;
+        check_trial(check, sim, grains, dt, contacts);
         const auto& order = check.overlaps().order;
         const WarshallClosure closure(grains.size(), order);
         ReachCount reach;
