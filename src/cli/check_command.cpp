@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "src/cli/commands.h"
+#include "src/cli/engine_table.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/run_report.h"
@@ -11,9 +12,6 @@ namespace polargrain {
 
 namespace {
 
-/// CPU time per grain and step of rough 24-gons in a settled bed [s], the dearest common case; loose grains take a
-/// third of it.
-constexpr double k_seconds_per_grain_step = 2e-6;
 /// Bytes a grain takes in a stored frame: pose, velocity and its share of the contacts.
 constexpr double k_bytes_per_grain_frame = 150.0;
 
@@ -23,10 +21,11 @@ void print_estimate(const Scenario& scenario, double dt) {
     const double duration = scenario.run.duration;
     const double grains = scenario.scene.grains.size();
     const double settling = scenario.settle ? scenario.settle->at_most : 0.0;
-    const double seconds = grains * (duration + settling) / dt * k_seconds_per_grain_step;
+    const double per_grain_step = find_engine(scenario.run.engine).seconds_per_grain_step;
+    const double seconds = grains * (duration + settling) / dt * per_grain_step;
     const OutputSettings& output = scenario.output;
-    fmt::print("  estimate   {} (min:s) of cpu time for the steps at most, {:.2g} s per grain and step\n",
-               clock_text(std::ceil(seconds)), k_seconds_per_grain_step);
+    fmt::print("  estimate   about {} (min:s) of cpu time for the steps, {:.2g} s per grain and step\n",
+               clock_text(std::ceil(seconds)), per_grain_step);
     fmt::print("  output     {:.0f} pictures, {:.0f} rows in series.csv, about {:.3g} MB in trajectory.h5\n",
                samples(duration, output.frames.every), samples(duration, output.series_every),
                samples(duration, output.trajectory_every) * grains * k_bytes_per_grain_frame * 1e-6);

@@ -12,6 +12,9 @@ struct EngineEntry {
     std::string name;
     std::string line;  ///< what it is, for lists
     std::unique_ptr<Engine> (*make)(const Scene&);
+    /// CPU time per grain and step of rough 24-gons in a settled bed [s], for estimates; loose grains take a third of
+    /// it, a collapsing bed twice as much. From polargrain_bench.
+    double seconds_per_grain_step;
 };
 
 /// The engines of this build.

@@ -5,6 +5,10 @@
 
 namespace polargrain {
 
+PairList::PairList(const Scene& scene) {
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) radii_.push_back(outer_radius(scene.shape_of(k)));
+}
+
 PairList::PairList(std::vector<double> radii) : radii_(std::move(radii)) {}
 
 bool PairList::update(std::span<const Pose> from, std::span<const Pose> to, std::span<const double> clearance) {

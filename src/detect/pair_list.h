@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "src/detect/neighbours.h"
+#include "src/model/scene.h"
 
 namespace polargrain {
 
@@ -12,6 +13,9 @@ namespace polargrain {
 /// than its margin. A pair that is not listed cannot touch. What is listed beyond that never changes a result.
 class PairList {
 public:
+    /// For the grains of a scene.
+    explicit PairList(const Scene& scene);
+
     /// radii [m]: outer radii, one per grain.
     explicit PairList(std::vector<double> radii);
 

@@ -9,12 +9,6 @@ namespace polargrain {
 
 namespace {
 
-std::vector<double> outer_radii(const Scene& scene) {
-    std::vector<double> radii;
-    for (GrainIndex k = 0; k < scene.grains.size(); ++k) radii.push_back(outer_radius(scene.shape_of(k)));
-    return radii;
-}
-
 Joint joint_between(const Vec2& before, const Vec2& at, const Vec2& after) {
     const Vec2 in = unit(at - before);
     const Vec2 out = unit(after - at);
@@ -32,7 +26,7 @@ void PoseSet::resize(std::size_t n) {
     pose.resize(n);
 }
 
-GapDetection::GapDetection(const Scene& scene) : scene_(scene), list_(outer_radii(scene)) {
+GapDetection::GapDetection(const Scene& scene) : scene_(scene), list_(scene) {
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         diameter_.push_back(outer_radius(scene.shape_of(k)) + inner_radius(scene.shape_of(k)));
     }

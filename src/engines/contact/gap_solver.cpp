@@ -239,8 +239,8 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, std::vector<SolverBod
 /// have not converged.
 ///
 /// Slower by the factor f, they have f^2 of their kinetic energy and take f of their way against gravity, so some f
-/// always keeps the energy from rising; and as no target asks for parting, slower grains keep every gap. Contacts that
-/// moving walls push are exempt: there a slower grain would be overrun.
+/// always keeps the energy from rising; and as no target asks for parting, gaps among slowed grains and to walls at
+/// rest are kept. While a moving wall pushes, nothing is slowed: grains would be overrun.
 void GapSolver::keep_energy(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h) const {
     for (const GapContact& c : contacts) {
         if (is_wall(c.j) && c.normal_impulse > 0.0 && c.wall_velocity != Vec2::Zero()) return;

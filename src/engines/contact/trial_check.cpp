@@ -6,12 +6,6 @@ namespace polargrain {
 
 namespace {
 
-std::vector<double> outer_radii(const Scene& scene) {
-    std::vector<double> radii;
-    for (GrainIndex k = 0; k < scene.grains.size(); ++k) radii.push_back(outer_radius(scene.shape_of(k)));
-    return radii;
-}
-
 bool circles_meet(const Vec2& a, const Vec2& b, double reach) { return (a - b).squaredNorm() < reach * reach; }
 
 Motion motion_of(const Grains& grains, GrainIndex k) { return {grains.velocity(k), grains.spin[Grains::at(k)]}; }
@@ -53,7 +47,7 @@ void take_trial(Grains& grains, const Vec2& gravity, double dt, TrialConfigurati
     }
 }
 
-TrialCheck::TrialCheck(const Scene& scene) : scene_(scene), pairs_(outer_radii(scene)) {}
+TrialCheck::TrialCheck(const Scene& scene) : scene_(scene), pairs_(scene) {}
 
 void TrialCheck::run(const TrialConfiguration& configuration, const Grains& grains, double time, double trial_time,
                      std::vector<RecordedContact>& contacts) {
