@@ -55,9 +55,10 @@ Running filled_silo(double opening, double open_at, std::uint64_t seed) {
     const double pitch = 1.08 * d;
     const int across = 36;
     for (int k = 0; k < 2500; ++k) {
+        const int row = k / across;
         scene.add(Grain{disk,
                         0,
-                        {(k % across + 1.0) * pitch, (k / across + 0.6) * pitch},
+                        {(k % across + 1.0) * pitch, (row + 0.6) * pitch},
                         0.0,
                         {0.3 * random.normal(), 0.3 * random.normal()}});
     }
@@ -95,9 +96,10 @@ Scene rough_bed(std::uint64_t seed, double opening) {
     const double pitch = 1.35 * d;
     const int across = 14;
     for (int k = 0; k < 600; ++k) {
+        const int row = k / across;
         scene.add(Grain{testing::add_rough(scene, 0.5 * d, 0.2, static_cast<std::uint64_t>(k)),
                         0,
-                        {(k % across + 0.9) * pitch, (k / across + 0.6) * pitch},
+                        {(k % across + 0.9) * pitch, (row + 0.6) * pitch},
                         random.uniform(-k_pi, k_pi),
                         {0.1 * random.normal(), 0.1 * random.normal()}});
     }

@@ -30,11 +30,9 @@ Scene gas(int n, double phi, double restitution, std::uint64_t seed) {
     RandomStream random(seed, RandomPurpose::test);
     const double pitch = width / across;
     for (int k = 0; k < across * across; ++k) {
-        scene.add(Grain{disk,
-                        0,
-                        {(k % across + 0.5) * pitch, (k / across + 0.5) * pitch},
-                        0.0,
-                        {random.normal(), random.normal()}});
+        const int row = k / across;
+        scene.add(
+            Grain{disk, 0, {(k % across + 0.5) * pitch, (row + 0.5) * pitch}, 0.0, {random.normal(), random.normal()}});
     }
     return scene;
 }
