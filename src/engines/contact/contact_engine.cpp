@@ -38,7 +38,7 @@ public:
         forget_removed_walls(world.time);
 
         trial_ = before_;
-        solver_.advance(contacts_, bodies_, trial_, world.step, world.time, dt, sweeps(), report);
+        solver_.advance(contacts_, bodies_, before_, trial_, world.step, world.time, dt, sweeps(), report);
         correct_positions(energy_before, report);
         refresh_trial();
         detection_.detect(before_, trial_, bodies_, world.time, time_after, dt);
@@ -101,10 +101,12 @@ private:
         report.ledger.correction += granted_;
     }
 
+    /// The contacts of a wall that is gone stay in the array, as pairs refer to it, but out of everybody's reach.
     void forget_removed_walls(double time) {
+        constexpr double k_out_of_reach = 1e9;
         for (GapContact& c : contacts_) {
             if (is_wall(c.j) && !scene_.walls[static_cast<std::size_t>(wall_index(c.j))].present(time)) {
-                c.gap = 1e9;
+                c.gap = k_out_of_reach;
                 c.normal_impulse = 0.0;
                 c.tangent_impulse = 0.0;
             }

@@ -51,9 +51,8 @@ void take_reaction(const GapContact& c, const Vec2& impulse, StepReport& report)
 
 }  // namespace
 
-void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial,
-                        std::int64_t step, double time, double dt, int sweeps, StepReport& report) {
-    const PoseSet start = trial;
+void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
+                        PoseSet& trial, std::int64_t step, double time, double dt, int sweeps, StepReport& report) {
     start_ = &start;
     step_ = step;
     time_ = time;

@@ -32,9 +32,10 @@ public:
 
     explicit GapSolver(const Scene& scene) : scene_(scene) {}
 
-    /// Advances bodies and trial poses from time to time + dt. Fills impulses and losses of the report.
-    void advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, std::int64_t step,
-                 double time, double dt, int sweeps, StepReport& report);
+    /// Advances bodies and trial poses from time to time + dt. `start` are the poses at which the contacts were found;
+    /// the trial poses equal them at first. Fills impulses and losses of the report.
+    void advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
+                 PoseSet& trial, std::int64_t step, double time, double dt, int sweeps, StepReport& report);
 
     /// Lever arms and effective masses at the poses at which the contacts were found.
     static void prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const PoseSet& poses);
