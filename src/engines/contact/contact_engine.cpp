@@ -20,9 +20,9 @@ public:
     explicit ContactEngine(const Scene& scene) : scene_(scene), detection_(scene), solver_(scene), rejection_(scene) {
         const double g = std::sqrt(scene.gravity.squaredNorm());
         for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
-            opening_budget_ +=
-                k_opening * g * scene.grains.mass[Grains::at(k)] * detection_.resting_gap(k, wall_body(0));
+            opening_unit_ += g * scene.grains.mass[Grains::at(k)] * detection_.resting_gap(k, wall_body(0));
         }
+        opening_left_ = k_opening_in_all * opening_unit_;
     }
 
     std::string_view name() const override { return "contact"; }
@@ -31,34 +31,87 @@ public:
     void step(World& world, double dt, StepReport& report) override {
         report.clear(scene_.walls.size());
         take_state(world);
-        const double energy_before = total_energy(bodies_, before_, scene_.gravity);
-        granted_ = 0.0;
         if (!detected_) open_gaps(world.time, dt, report);
-        const double time_after = static_cast<double>(world.step + 1) * dt;
-        forget_removed_walls(world.time);
-
-        trial_ = before_;
-        solver_.advance(contacts_, bodies_, before_, trial_, world.step, world.time, dt, sweeps(), report);
-        correct_positions(energy_before, report);
-        refresh_trial();
-        detection_.detect(before_, trial_, bodies_, world.time, time_after, dt);
-        repair(report);
-        reject(report);
-        guard(energy_before, report);
-        hand_over_contacts();
+        advance(world.step, world.time, dt, 0, report);
         give_state(world, report);
         ++world.step;
-        world.time = time_after;
+        world.time = static_cast<double>(world.step) * dt;
     }
 
     void save(Checkpoint& checkpoint) const override;
     void load(const Checkpoint& checkpoint) override;
 
 private:
-    static constexpr double k_opening = 0.02;  ///< of the resting gap a grain and step
+    static constexpr double k_opening = 0.02;         ///< of the resting gap a grain, in one step
+    static constexpr double k_opening_in_all = 10.0;  ///< the same for the whole run
     static constexpr int k_opening_passes = 60;
     static constexpr int k_careful_steps = 10;
     static constexpr double k_careful_share = 0.01;
+    static constexpr int k_most_halvings = 3;
+
+    /// One step, or a part of one: where repair leaves an overlap, everything is taken back and done again in two
+    /// halves, as what it could not foresee grows with the square of dt. Only parts of dt / 2^k_most_halvings reject.
+    void advance(std::int64_t step, double time, double dt, int halvings, StepReport& report) {
+        forget_removed_walls(time);
+        remember(report);
+        const double energy_before = total_energy(bodies_, before_, scene_.gravity);
+        granted_ = 0.0;
+        trial_ = before_;
+        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, sweeps(), report);
+        correct_positions(energy_before, report);
+        refresh_trial();
+        detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
+        repair(report);
+        if (overlapping_ > 0 && halvings < k_most_halvings) {
+            take_back(report);
+            advance(step, time, 0.5 * dt, halvings + 1, report);
+            advance(step, time + 0.5 * dt, 0.5 * dt, halvings + 1, report);
+            return;
+        }
+        reject(report);
+        guard(energy_before, report);
+        hand_over_contacts();
+        report_contacts(report);
+        before_ = trial_;
+    }
+
+    /// What the solver changes of a contact.
+    struct Remembered {
+        Vec2 normal;
+        double gap, normal_impulse, tangent_impulse, low, high;
+    };
+
+    void remember(const StepReport& report) {
+        bodies_remembered_ = bodies_;
+        contacts_remembered_.clear();
+        for (const GapContact& c : contacts_) {
+            contacts_remembered_.push_back({c.normal, c.gap, c.normal_impulse, c.tangent_impulse, c.low, c.high});
+        }
+        ledger_remembered_ = report.ledger;
+        walls_remembered_ = report.walls;
+        impacts_remembered_ = report.impacts;
+        records_remembered_ = report.impact_records.size();
+        opening_remembered_ = opening_left_;
+    }
+
+    void take_back(StepReport& report) {
+        bodies_ = bodies_remembered_;
+        for (std::size_t k = 0; k < contacts_.size(); ++k) {
+            const Remembered& r = contacts_remembered_[k];
+            GapContact& c = contacts_[k];
+            c.normal = r.normal;
+            c.gap = r.gap;
+            c.normal_impulse = r.normal_impulse;
+            c.tangent_impulse = r.tangent_impulse;
+            c.low = r.low;
+            c.high = r.high;
+        }
+        report.ledger = ledger_remembered_;
+        report.walls = walls_remembered_;
+        report.impacts = impacts_remembered_;
+        report.impact_records.resize(records_remembered_);
+        opening_left_ = opening_remembered_;
+    }
 
     int sweeps() const { return careful_ > 0 ? GapSolver::k_careful_sweeps : GapSolver::k_sweeps; }
 
@@ -97,8 +150,7 @@ private:
         trial_ = before_;
         detect();
         detected_ = true;
-        granted_ = total_energy(bodies_, before_, scene_.gravity) - energy_touching;
-        report.ledger.correction += granted_;
+        report.ledger.correction += total_energy(bodies_, before_, scene_.gravity) - energy_touching;
     }
 
     /// The contacts of a wall that is gone stay in the array, as pairs refer to it, but out of everybody's reach.
@@ -113,16 +165,19 @@ private:
         }
     }
 
-    /// The correction may spend what the step has dissipated, and a little of its own: bodies that start without any
-    /// gap between them could otherwise never get their resting gaps. That little is granted to the guard and stands in
-    /// the ledger as correction.
+    double wall_work(const StepReport& report) const { return report.ledger.wall_work - ledger_remembered_.wall_work; }
+
+    /// The correction may spend what the step has dissipated, and a little of its own, which comes to an end: bodies
+    /// that start without any gap between them could otherwise never get their resting gaps. That little is granted to
+    /// the guard and stands in the ledger as correction.
     void correct_positions(double energy_before, StepReport& report) {
         const double dissipated =
-            std::max(0.0, energy_before + report.ledger.wall_work - total_energy(bodies_, trial_, scene_.gravity));
-        const double lift =
-            correction_.correct(contacts_, bodies_, scene_.gravity, dissipated + opening_budget_, trial_);
+            std::max(0.0, energy_before + wall_work(report) - total_energy(bodies_, trial_, scene_.gravity));
+        const double grant = std::min(k_opening * opening_unit_, opening_left_);
+        const double lift = correction_.correct(contacts_, bodies_, scene_.gravity, dissipated + grant, trial_);
         report.ledger.correction += lift;
-        granted_ += std::max(0.0, lift - dissipated);
+        granted_ = std::max(0.0, lift - dissipated);
+        opening_left_ = std::max(0.0, opening_left_ - granted_);
     }
 
     void refresh_trial() {
@@ -153,12 +208,13 @@ private:
 
     void guard(double energy_before, StepReport& report) {
         EnergyLedger& ledger = report.ledger;
-        const double allowed = energy_before + ledger.wall_work + granted_;
+        const EnergyLedger& was = ledger_remembered_;
+        const double allowed = energy_before + wall_work(report) + granted_;
         double now = total_energy(bodies_, trial_, scene_.gravity);
         now -= guard_energy(bodies_, now - allowed);
-        ledger.rises = std::max(0.0, now - allowed - repair_lift_);
-        ledger.created =
-            now - energy_before - ledger.wall_work + ledger.restitution_loss + ledger.friction_loss - ledger.correction;
+        ledger.rises += std::max(0.0, now - allowed - repair_lift_);
+        ledger.created += now - energy_before - wall_work(report) + (ledger.restitution_loss - was.restitution_loss) +
+                          (ledger.friction_loss - was.friction_loss) - (ledger.correction - was.correction);
     }
 
     /// The contacts found at the new poses become those of the next step, with the old impulses as first guesses; the
@@ -177,11 +233,16 @@ private:
             world.grains.set_velocity(g, bodies_[k].velocity);
             world.grains.spin[k] = bodies_[k].spin;
         }
+        std::stable_sort(report.contacts.begin(), report.contacts.end(),
+                         [](const Contact& p, const Contact& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); });
+        for (const GapContact& c : contacts_) report.deepest = std::max(report.deepest, -c.gap);
+    }
+
+    void report_contacts(StepReport& report) const {
         for (const GapContact& c : detection_.contacts()) {
             if (c.total_impulse == Vec2::Zero()) continue;
             report.contacts.push_back({c.j, c.i, c.point, c.normal, c.gap, c.total_impulse});
         }
-        for (const GapContact& c : contacts_) report.deepest = std::max(report.deepest, -c.gap);
     }
 
     const Scene& scene_;
@@ -196,10 +257,20 @@ private:
     std::vector<PairContacts> pairs_;
     bool detected_ = false;
     int careful_ = 0;
-    double granted_ = 0.0;         ///< energy that this step's correction may add without paying [J/m]
-    double repair_lift_ = 0.0;     ///< energy that this step's repair has added [J/m]
-    double opening_budget_ = 0.0;  ///< most of that in one step
+    double granted_ = 0.0;       ///< energy that this step's correction may add without paying [J/m]
+    double repair_lift_ = 0.0;   ///< energy that this step's repair has added [J/m]
+    double opening_unit_ = 0.0;  ///< lifts every grain by its resting gap [J/m]
+    double opening_left_ = 0.0;  ///< what corrections may still add without paying [J/m]
     int overlapping_ = 0;
+
+    // For taking a step back.
+    std::vector<SolverBody> bodies_remembered_;
+    std::vector<Remembered> contacts_remembered_;
+    EnergyLedger ledger_remembered_;
+    std::vector<WallImpulse> walls_remembered_;
+    std::int64_t impacts_remembered_ = 0;
+    std::size_t records_remembered_ = 0;
+    double opening_remembered_ = 0.0;
 };
 
 // --- checkpoints ---
@@ -219,6 +290,7 @@ void ContactEngine::save(Checkpoint& checkpoint) const {
     }
     for (const PairContacts& p : pairs_) pairs.insert(pairs.end(), {p.i, p.j, p.piece, p.first, p.count});
     checkpoint.put("contact/state", std::vector<std::int64_t>{detected_ ? 1 : 0, careful_});
+    checkpoint.put("contact/opening", std::vector<double>{opening_left_});
     checkpoint.put("contact/integers", std::move(integers));
     checkpoint.put("contact/reals", std::move(reals));
     checkpoint.put("contact/pairs", std::move(pairs));
@@ -226,6 +298,7 @@ void ContactEngine::save(Checkpoint& checkpoint) const {
 
 void ContactEngine::load(const Checkpoint& checkpoint) {
     const auto& state = checkpoint.integers("contact/state");
+    opening_left_ = checkpoint.reals("contact/opening").at(0);
     const auto& integers = checkpoint.integers("contact/integers");
     const auto& reals = checkpoint.reals("contact/reals");
     const auto& pairs = checkpoint.integers("contact/pairs");

@@ -44,6 +44,7 @@ public:
     void detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved);
 
     std::vector<GapContact>& contacts() { return contacts_; }
+    const std::vector<GapContact>& contacts() const { return contacts_; }
     std::vector<PairContacts>& pairs() { return pairs_; }
     const std::vector<PairContacts>& pairs() const { return pairs_; }
     const std::vector<GrainPair>& near_pairs() const { return list_.pairs(); }
