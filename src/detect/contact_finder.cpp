@@ -105,8 +105,7 @@ std::optional<ContactGeometry> contact_of(const PlacedShape& a, const PolarPolyg
     const double tolerance = tolerance_of(a.shape, b.shape);
     thread_local std::vector<InsideVertex> a_inside;
     thread_local std::vector<InsideVertex> b_inside;
-    vertices_inside(of_a, of_b, a.pose.relative_to(b.pose), tolerance, a_inside);
-    vertices_inside(of_b, of_a, b.pose.relative_to(a.pose), tolerance, b_inside);
+    vertices_inside(of_a, a.pose, of_b, b.pose, tolerance, a_inside, b_inside);
     std::optional<VertexChoice> best;
     choose_vertex(a, b, true, of_a, of_b, a_inside, best);
     choose_vertex(a, b, false, of_b, of_a, b_inside, best);

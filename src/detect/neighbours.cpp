@@ -80,14 +80,17 @@ void NeighbourSearch::meet(const Entry& self, std::int32_t level, std::span<cons
     const double cell = cell_size(level);
     const std::int64_t cx = cell_of(circle.centre.x(), cell);
     const std::int64_t cy = cell_of(circle.centre.y(), cell);
-    for (std::int64_t place = 0; place < 9; ++place) {
+    // At its own level a circle looks at its own cell and at four of the eight around it: the others look at it.
+    const bool own_level = level == self.level;
+    constexpr std::int64_t k_own_cell = 4;
+    for (std::int64_t place = own_level ? k_own_cell : 0; place < 9; ++place) {
         const std::int64_t x = cx - 1 + place % 3;
         const std::int64_t y = cy - 1 + place / 3;
         const std::uint32_t b = bucket_of(x, y, level);
         for (std::int32_t n = bucket_start_[b]; n < bucket_start_[b + 1]; ++n) {
             const Entry& other = sorted_[static_cast<std::size_t>(n)];
             if (other.level != level || other.cell_x != x || other.cell_y != y) continue;
-            if (level == self.level && other.circle <= self.circle) continue;
+            if (own_level && place == k_own_cell && other.circle <= self.circle) continue;
             const BoundingCircle& reached = circles[static_cast<std::size_t>(other.circle)];
             const double reach = circle.radius + reached.radius;
             if ((circle.centre - reached.centre).squaredNorm() < reach * reach) {

@@ -14,9 +14,9 @@ struct InsideVertex {
     double depth;  ///< behind the edge of that sector [m], > tolerance
 };
 
-/// All vertices of `owner` deeper than `tolerance` [m] inside `other`, in rising order. Only vertices of the facing
-/// side are looked at [HN94, Fig. 4]. relative: pose of the owner in the frame of the other. `found` is cleared first.
-void vertices_inside(const PolarPolygon& owner, const PolarPolygon& other, const Pose& relative, double tolerance,
-                     std::vector<InsideVertex>& found);
+/// All vertices of either grain deeper than `tolerance` [m] inside the other, each in rising order. Only vertices of
+/// the facing sides are looked at [HN94, Fig. 4]. The results are cleared first.
+void vertices_inside(const PolarPolygon& a, const Pose& pose_a, const PolarPolygon& b, const Pose& pose_b,
+                     double tolerance, std::vector<InsideVertex>& of_a_in_b, std::vector<InsideVertex>& of_b_in_a);
 
 }  // namespace polargrain
