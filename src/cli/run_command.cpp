@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "src/record/trajectory_h5.h"
 #include "src/run/final_values.h"
 #include "src/run/settle.h"
+#include "src/run/toppling_meter.h"
 
 namespace polargrain {
 
@@ -93,6 +95,8 @@ int run_into(const fs::path& folder, PreparedRun& run, const RunRequest& request
     Simulation simulation(scenario.scene, *engine, info);
     const std::vector<std::unique_ptr<Sink>> sinks = make_sinks(folder, scenario.output);
     for (const auto& sink : sinks) simulation.add(*sink);
+    TopplingMeter toppling;
+    simulation.add(toppling);
     if (scenario.output.impacts) simulation.record_impacts();
 
     const Stopwatch stopwatch;
@@ -101,7 +105,8 @@ int run_into(const fs::path& folder, PreparedRun& run, const RunRequest& request
         ProgressDisplay display("running", mode);
         ending = simulation.run({&watch_interrupts(), [&](const Progress& progress) { display.show(progress); }});
     }
-    const Summary summary = summarize(scenario, info, simulation.state(), ending, stopwatch.read());
+    Summary summary = summarize(scenario, info, simulation.state(), ending, stopwatch.read());
+    if (std::isfinite(toppling.speed())) summary.observables["domino_speed"] = toppling.speed();
     write_summary(folder / "summary.json", summary);
     if (!request.quiet) print_summary(summary, initial_energy(scenario.scene, info), folder);
     if (ending == Ending::completed) return k_exit_done;

@@ -19,6 +19,7 @@ std::map<std::string, double> final_values(const Scene& scene, const RunInfo& in
     const double grains = world.grains.size();
     const double out = count_out(scene, world.grains);
     std::map<std::string, double> values{
+        {"area_fraction", area_fraction(scene, world.grains)},
         {"deepest_overlap", totals.deepest},
         {"discharge_rate", ratio(out, world.time)},
         {"energy_created_ratio", ratio(totals.ledger.rises, initial_energy(scene, info))},

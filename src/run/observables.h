@@ -17,4 +17,11 @@ bool is_out(const Scene& scene, double outlet, GrainIndex k, const Vec2& positio
 /// Number of grains that are out; zero where there is no outlet height. `grains` in the order of the scene's own.
 GrainIndex count_out(const Scene& scene, const Grains& grains);
 
+/// Area of the grains over the area under their surface, both counted from the lowest point of the walls.
+///
+/// The surface: the width of the walls is divided into columns two mean outer radii wide, and each is as high as the
+/// top of the highest grain whose centre stands in it (heights against gravity, widths across it). Grains that are out
+/// do not count. NaN without walls, grains or gravity.
+double area_fraction(const Scene& scene, const Grains& grains);
+
 }  // namespace polargrain
