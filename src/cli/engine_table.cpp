@@ -12,9 +12,9 @@ namespace polargrain {
 std::span<const EngineEntry> engine_table() {
     static const std::array<EngineEntry, 2> table{
         EngineEntry{"contact", "the refined contact engine: dense beds that are right, and nothing overlaps",
-                    make_contact, 2.5e-6},
-        EngineEntry{"contact-1994", "the contact model of Hogue & Newland 1994, to the letter", make_contact_1994,
-                    2e-6},
+                    [](const Scene& scene, const EngineSettings&) { return make_contact(scene); }, 2.5e-6},
+        EngineEntry{"contact-1994", "the contact model of Hogue & Newland 1994, to the letter",
+                    [](const Scene& scene, const EngineSettings&) { return make_contact_1994(scene); }, 2e-6},
     };
     return table;
 }

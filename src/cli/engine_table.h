@@ -5,13 +5,14 @@
 #include <string>
 
 #include "src/model/engine.h"
+#include "src/model/engine_settings.h"
 
 namespace polargrain {
 
 struct EngineEntry {
     std::string name;
     std::string line;  ///< what it is, for lists
-    std::unique_ptr<Engine> (*make)(const Scene&);
+    std::unique_ptr<Engine> (*make)(const Scene&, const EngineSettings&);
     /// CPU time per grain and step of rough 24-gons in a settled bed [s], for estimates; loose grains take a third of
     /// it, a collapsing bed twice as much. From polargrain_bench.
     double seconds_per_grain_step;

@@ -9,10 +9,11 @@ PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& ov
     Scenario loaded = load_scenario(file, overrides);
     try {
         const EngineEntry& engine = find_engine(loaded.run.engine);
-        TimeStep time_step = choose_time_step(loaded.run, *engine.make(loaded.scene));
+        const std::unique_ptr<Engine> asked = engine.make(loaded.scene, loaded.engines);
+        TimeStep time_step = choose_time_step(loaded.run, *asked);
         // Asked here for the sake of its own check, so that nothing is written for a run that can never end.
         step_count(loaded.run.duration, time_step.dt);
-        return {std::move(file), std::move(loaded), engine, std::move(time_step)};
+        return {std::move(file), std::move(loaded), engine, std::move(time_step), asked->notes()};
     } catch (const InputError& error) {
         throw InputError(SourceLocation{.file = file.string(), .line = 0, .column = 0}, error.what());
     }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "scenarios/reader.h"
 #include "src/cli/engine_table.h"
@@ -15,6 +17,10 @@ struct PreparedRun {
     Scenario scenario;
     const EngineEntry& engine;
     TimeStep time_step;
+    std::vector<std::string> notes;  ///< what the engine leaves out or replaces of the scene
+
+    /// Another engine of the same kind, for a scene that outlives it.
+    std::unique_ptr<Engine> make_engine(const Scene& scene) const { return engine.make(scene, scenario.engines); }
 };
 
 /// Reads the scenario (a file, or the name of a shipped one) and decides engine and time step. InputError names the

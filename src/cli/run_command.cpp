@@ -67,7 +67,9 @@ Checkpoint settle_scene(PreparedRun& run, DisplayMode mode) {
     Scenario& scenario = run.scenario;
     ProgressDisplay display("settling", mode);
     const LoopControl control{&watch_interrupts(), [&](const Progress& progress) { display.show(progress); }};
-    Settled settled = settle(scenario.scene, *scenario.settle, run.time_step.dt, run.engine.make, control);
+    Settled settled = settle(
+        scenario.scene, *scenario.settle, run.time_step.dt,
+        [&run](const Scene& scene) { return run.make_engine(scene); }, control);
     scenario.scene.grains = std::move(settled.grains);
     if (mode != DisplayMode::none) {
         fmt::print("settling: {} after {:.4g} s, kinetic energy per grain {:.2g} m g R_max\n",
@@ -86,7 +88,7 @@ int run_into(const fs::path& folder, PreparedRun& run, const RunRequest& request
 
     std::optional<Checkpoint> settled;
     if (scenario.settle) settled = settle_scene(run, mode);
-    const std::unique_ptr<Engine> engine = run.engine.make(scenario.scene);
+    const std::unique_ptr<Engine> engine = run.make_engine(scenario.scene);
     if (settled) engine->load(*settled);
 
     RunInfo info = describe_run(scenario.scene, *engine, dt, scenario.run.duration);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "src/model/checkpoint.h"
 #include "src/model/scene.h"
@@ -15,6 +17,9 @@ public:
 
     /// The name in scenario files: "contact-1994", ...
     virtual std::string_view name() const = 0;
+
+    /// What of its scene the engine leaves out or replaces, a sentence each; for the log of a run.
+    virtual std::vector<std::string> notes() const { return {}; }
 
     /// Largest time step [s] that the engine vouches for in this scene; infinite where nothing can move.
     virtual double suggested_dt() const = 0;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "src/model/engine_settings.h"
 #include "src/model/scene.h"
 
 namespace polargrain {
@@ -60,6 +61,7 @@ struct Scenario {
     std::string source;
     Scene scene;
     RunSettings run;
+    EngineSettings engines;
     std::optional<SettleSettings> settle;
     OutputSettings output;
     std::vector<Expectation> expectations;
