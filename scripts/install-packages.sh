@@ -8,7 +8,7 @@ packages=(
     libeigen3-dev libcgal-dev libcairo2-dev libpng-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libhdf5-dev
     libfmt-dev librandom123-dev libxxhash-dev
     libgtest-dev libgmock-dev libbenchmark-dev
-    fonts-dejavu-core clang-format clang-tidy valgrind
+    fonts-dejavu-core gnuplot-nox clang-format clang-tidy valgrind
 )
 # Saves time where it is there; its absence stops nothing.
 optional=(ccache)
