@@ -74,7 +74,7 @@ class PlantedViolation(unittest.TestCase):
         self.plant("render/planted.cpp", '#include "src/record/planted_again.h"')
         self.found("render/planted.cpp", "planted_again.h")
 
-    def test_cgal_in_a_second_file(self):
+    def test_cgal_in_another_file(self):
         self.plant("shapes/planted.cpp", "#include <CGAL/number_utils.h>")
         self.found("CGAL", "shapes/planted.cpp")
 
