@@ -105,7 +105,7 @@ std::string plotted(const Series& s, const std::string& block, int colour) {
     std::string text = fmt::format("{} using {} {} {}", block, columns_of(s), title, style_of(s, colour));
     if (!s.y_error.empty()) {
         text += fmt::format(", {} using 1:2:3 notitle with yerrorbars {} pt -1", block,
-                            line_of(0.6 * s.width, colour, false));
+                            line_of(0.75 * s.width, colour, false));
     }
     return text;
 }

@@ -129,7 +129,7 @@ TEST_F(Plots, DrawErrorBars) {
     const int before = Pixels(file(".png")).count(0x00, 0x72, 0xb2);
     plot.panels[0].series[0] = with_errors;
     write_plot(plot, stem());
-    EXPECT_GT(Pixels(file(".png")).count(0x00, 0x72, 0xb2), before + 50);
+    EXPECT_GT(Pixels(file(".png")).count(0x00, 0x72, 0xb2), before + 15);
 }
 
 TEST_F(Plots, RefuseColumnsThatDiffer) {
