@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace polargrain {
 
@@ -85,7 +85,8 @@ std::string style_of(const Series& s, int colour) {
         case SeriesStyle::steps: return "with steps " + line;
         case SeriesStyle::bars: return "with boxes fill solid 0.35 " + line;
         case SeriesStyle::filled:
-            return fmt::format("with filledcurves closed fill transparent solid 0.18 border {}", line);
+            return fmt::format("with filledcurves closed fill transparent solid 0.18 border lc rgb '{0}' fc rgb '{0}'",
+                               colour_name(colour));
         case SeriesStyle::arrows: return "with vectors head filled size screen 0.012,20 " + line;
         case SeriesStyle::labels: return fmt::format("with labels center tc rgb '{}'", colour_name(colour));
     }
@@ -100,11 +101,21 @@ std::string columns_of(const Series& s) {
     }
 }
 
+/// Marks with error bars take a style of their own: bars drawn over marks would cut them out.
+std::string style_with_errors(const Series& s, int colour) {
+    const char* with = s.style == SeriesStyle::line_points ? "with yerrorlines " : "with yerrorbars ";
+    return with + line_of(s.width, colour, false) + " " + symbol_of(colour);
+}
+
 std::string plotted(const Series& s, const std::string& block, int colour) {
     const std::string title = s.label.empty() ? "notitle" : "title " + quoted(s.label);
+    const bool marks = s.style == SeriesStyle::points || s.style == SeriesStyle::line_points;
+    if (!s.y_error.empty() && marks) {
+        return fmt::format("{} using 1:2:3 {} {}", block, title, style_with_errors(s, colour));
+    }
     std::string text = fmt::format("{} using {} {} {}", block, columns_of(s), title, style_of(s, colour));
     if (!s.y_error.empty()) {
-        text += fmt::format(", {} using 1:2:3 notitle with yerrorbars {} pt -1", block,
+        text += fmt::format(", {} using 1:2:3 notitle with yerrorbars {} pt 0", block,
                             line_of(0.75 * s.width, colour, false));
     }
     return text;
@@ -122,9 +133,16 @@ const char* key_place(KeyPlace place) {
     return "unset key";
 }
 
-std::string range(char axis, const std::optional<std::pair<double, double>>& given) {
+std::string range(char axis, const std::optional<std::pair<double, double>>& given, const std::string& lower) {
     return given ? fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, given->first, given->second)
-                 : fmt::format("set {}range [*:*]\n", axis);
+                 : fmt::format("set {}range [{}:*]\n", axis, lower);
+}
+
+/// Bars stand on zero.
+std::string lower_end(const Panel& panel) {
+    const bool bars = std::any_of(panel.series.begin(), panel.series.end(),
+                                  [](const Series& s) { return s.style == SeriesStyle::bars; });
+    return bars && !panel.log_y ? "0" : "*";
 }
 
 std::string axes(const Panel& panel) {
@@ -132,12 +150,13 @@ std::string axes(const Panel& panel) {
                                    quoted(panel.x_label), quoted(panel.y_label), key_place(panel.key));
     text += panel.log_x ? "set logscale x\n" : "unset logscale x\n";
     text += panel.log_y ? "set logscale y\n" : "unset logscale y\n";
-    text += range('x', panel.x_range) + range('y', panel.y_range);
+    text += range('x', panel.x_range, "*") + range('y', panel.y_range, lower_end(panel));
     if (panel.map) {
         text += "set size ratio -1\nunset border\nunset tics\nunset grid\nunset key\n";
     } else {
         text +=
-            "set size noratio\nset border 3 lc rgb '#777777'\nset tics nomirror out\nset grid lc rgb '#dddddd' lt 1 lw "
+            "set size noratio\nset border 3 lc rgb '#777777'\nset xtics nomirror out\nset ytics nomirror out\nset grid "
+            "lc rgb '#dddddd' lt 1 lw "
             "1\n";
     }
     return text;
