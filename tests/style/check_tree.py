@@ -19,6 +19,7 @@ BELOW = {
     "src/detect": {"src/core", "src/geometry", "src/model"},
     "src/run": {"src/core", "src/geometry", "src/model"},
     "src/record": {"src/core", "src/geometry", "src/model", "src/run"},
+    "src/theory": {"src/core"},
     "src/plot": {"src/core", "src/record"},
     "shapes": {"src/core", "src/geometry"},
     "scenarios": {"src/core", "src/geometry", "src/model", "src/detect", "shapes"},

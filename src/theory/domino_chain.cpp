@@ -1,9 +1,12 @@
-#include "tests/engines/domino_chain.h"
+#include "src/theory/domino_chain.h"
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
-namespace polargrain::testing {
+#include "src/core/error.h"
+
+namespace polargrain {
 
 namespace {
 
@@ -104,13 +107,15 @@ private:
 
 }  // namespace
 
-double domino_chain_speed(const DominoRow& row, int count, double dt) {
+double pinned_chain_speed(const DominoRow& row, int count, double dt) {
+    check(row);
+    require(count >= 4, "a chain of {} dominoes has no steady part; take four at least", count);
     Chain chain(row, count);
-    for (double time = 0.0; !chain.done() && time < k_latest; time += dt) {
+    for (std::int64_t step = 0; !chain.done() && static_cast<double>(step) * dt < k_latest; ++step) {
         chain.fall(dt);
-        chain.collide(time);
+        chain.collide(static_cast<double>(step) * dt);
     }
-    return chain.done() ? chain.speed() : 0.0;
+    return chain.done() ? chain.speed() : std::nan("");
 }
 
-}  // namespace polargrain::testing
+}  // namespace polargrain
