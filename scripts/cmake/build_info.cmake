@@ -11,6 +11,6 @@ endif()
 string(REGEX REPLACE " +" " " flags "${flags}")
 string(CONCAT libraries
     "Eigen ${Eigen3_VERSION}, CGAL ${CGAL_VERSION}, HDF5 ${HDF5_VERSION}, Cairo ${CAIRO_VERSION}, "
-    "toml++ ${TOMLPLUSPLUS_VERSION}, nlohmann-json ${nlohmann_json_VERSION}, CLI11 ${CLI11_VERSION}, fmt ${fmt_VERSION}")
+    "toml++ ${TOMLPLUSPLUS_VERSION}, nlohmann-json ${nlohmann_json_VERSION}, CLI11 ${CLI11_VERSION}, Box2D ${box2d_VERSION}, fmt ${fmt_VERSION}")
 set_source_files_properties(src/core/build_info.cpp PROPERTIES COMPILE_DEFINITIONS
     "POLARGRAIN_VERSION=\"${PROJECT_VERSION}\";POLARGRAIN_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\";POLARGRAIN_FLAGS=\"${flags}\";POLARGRAIN_LIBRARIES=\"${libraries}\"")

@@ -8,6 +8,7 @@ set(HDF5_PREFER_PARALLEL FALSE)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(box2d REQUIRED)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 # Cairo writes PNG files with libpng too, but at its slowest setting; libcairo2-dev brings libpng-dev along.
 pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)

@@ -68,19 +68,23 @@ Drop largest_drop(const Scene& scene) {
     return {lowest, std::max(0.0, highest - lowest)};
 }
 
-double critical_time_step(const Scene& scene) {
-    double inner = std::numeric_limits<double>::infinity();
+double largest_speed(const Scene& scene) {
     double fastest = 0.0;
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         const Shape& shape = scene.shape_of(k);
-        inner = std::min(inner, inner_radius(shape));
         fastest = std::max(fastest, std::sqrt(scene.grains.velocity(k).squaredNorm()) +
                                         std::abs(scene.grains.spin[Grains::at(k)]) * outer_radius(shape));
     }
     double wall_speed = 0.0;
     for (const Wall& wall : scene.walls) wall_speed = std::max(wall_speed, largest_speed(wall));
     const double g = std::sqrt(scene.gravity.squaredNorm());
-    const double speed = std::sqrt(2.0 * g * largest_drop(scene).height + fastest * fastest) + wall_speed;
+    return std::sqrt(2.0 * g * largest_drop(scene).height + fastest * fastest) + wall_speed;
+}
+
+double critical_time_step(const Scene& scene) {
+    double inner = std::numeric_limits<double>::infinity();
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) inner = std::min(inner, inner_radius(scene.shape_of(k)));
+    const double speed = largest_speed(scene);
     return speed > 0.0 ? inner / (2.0 * speed) : std::numeric_limits<double>::infinity();
 }
 

@@ -60,6 +60,10 @@ struct Drop {
 
 Drop largest_drop(const Scene& scene);
 
+/// Speed that grains reach at most while none falls farther than the largest drop H: sqrt(2 g H + v0^2), v0 the largest
+/// initial speed of any point of one, plus the largest wall speed [m/s].
+double largest_speed(const Scene& scene);
+
 /// Largest time step at which no grain can pass its neighbour unseen: R_in / (largest closing speed) [HN94, eq. 6].
 ///
 /// The closing speed is 2 v, v = sqrt(2 g H + v0^2) with the largest initial speed v0 (the paper starts from

@@ -42,7 +42,7 @@ THIRD_PARTY = {
     r"nlohmann/": {"src/record", "src/cli", "tests"},
     r"cairo|png\.h|zlib\.h": {"render", "tests"},
     r"CLI/": {"src/cli"},
-    r"box2d/": {"src/engines/box2d"},
+    r"box2d/": {"src/engines/box2d", "tests"},
     r"gtest/|gmock/": {"tests"},
     r"benchmark/": {"bench"},
 }
