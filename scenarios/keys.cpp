@@ -39,12 +39,18 @@ const std::vector<KeyTable>& all_tables() {
         {"fill.size", "normal", {"distribution", "mean", "stddev", "min", "max"}},
         {"fill.size", "lognormal", {"distribution", "mean", "stddev", "min", "max"}},
         {"settle", "", {"until_energy", "at_most"}},
-        {"output", "", {"frames", "trajectory", "series", "impacts", "checkpoint"}},
+        {"output", "", {"frames", "trajectory", "series", "impacts", "checkpoint", "observe"}},
         {"output.frames", "", {"every", "format", "width", "height", "colour", "contacts", "view", "colour_max"}},
         {"output.trajectory", "", {"every"}},
         {"output.series", "", {"every"}},
         {"output.checkpoint", "", {"every_wall"}},
-        {"expect", "", {"quantity", "min", "max", "unit", "source"}},
+        {"output.observe",
+         "",
+         {"quantity", "label", "region", "opening", "wall", "shape", "material", "started_in", "cell"}},
+        {"expect",
+         "",
+         {"quantity", "label", "region", "opening", "wall", "shape", "material", "started_in", "cell", "statistic",
+          "from", "to", "min", "max", "unit", "source"}},
     };
     return tables;
 }

@@ -17,13 +17,6 @@ const std::vector<std::string>& engine_names() {
     return names;
 }
 
-const std::vector<std::string>& quantity_names() {
-    static const std::vector<std::string> names = {
-        "domino_speed",  "moves_rejected_percent",   "energy_created_ratio", "deepest_overlap",
-        "area_fraction", "kinetic_energy_per_grain", "grains_out",           "discharge_rate"};
-    return names;
-}
-
 std::optional<double> read_time_step(TableReader& run) {
     const toml::node* node = run.raw("time_step");
     if (node == nullptr || node->value<std::string>() == "critical") {
@@ -119,27 +112,8 @@ void read_output(Reading& reading) {
     TableReader checkpoint = table.table("checkpoint", key_table("output.checkpoint"));
     output.checkpoint_every_wall = checkpoint.number("every_wall", k_interval, output.checkpoint_every_wall);
     table.adopt("checkpoint", checkpoint);
+    output.observe = read_observe(reading, table);
     append_section(reading.resolved, "[output]", table);
-}
-
-void read_expectations(Reading& reading) {
-    for (const TableItem& item : reading.top.array_of_tables("expect")) {
-        TableReader table(reading.document, item, key_table("expect"));
-        Expectation expectation;
-        expectation.quantity = table.choice("quantity", quantity_names());
-        expectation.min = table.optional_number("min", k_any_number);
-        expectation.max = table.optional_number("max", k_any_number);
-        if (!expectation.min && !expectation.max) {
-            throw InputError(item.where, item.path + ": has neither min nor max; give one of them, or both");
-        }
-        if (expectation.min && expectation.max && *expectation.min > *expectation.max) {
-            table.fail("max", fmt::format("is {}, less than min = {}; swap them", *expectation.max, *expectation.min));
-        }
-        expectation.unit = table.text("unit", "");
-        expectation.source = table.text("source", "");
-        reading.scenario.expectations.push_back(std::move(expectation));
-        append_section(reading.resolved, "[[expect]]", table);
-    }
 }
 
 void keep_engine_table(Reading& reading, const std::string& key) {

@@ -26,6 +26,10 @@ void read_run(Reading& reading);
 void read_settle(Reading& reading);
 void read_output(Reading& reading);
 void read_expectations(Reading& reading);
+/// The observables of output.observe, checked against the scene, which must be complete.
+std::vector<ObservableSpec> read_observe(Reading& reading, TableReader& output);
+/// [box2d] is in the resolved scenario where the file has it or the engine is box2d.
+void read_box2d(Reading& reading);
 /// A table whose keys belong to one engine: kept as it is.
 void keep_engine_table(Reading& reading, const std::string& key);
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <memory>
@@ -16,13 +15,13 @@
 #include "src/cli/run_report.h"
 #include "src/core/build_info.h"
 #include "src/core/error.h"
+#include "src/observe/snapshots.h"
 #include "src/record/impacts_csv.h"
 #include "src/record/series_csv.h"
 #include "src/record/text_file.h"
 #include "src/record/trajectory_h5.h"
-#include "src/run/final_values.h"
+#include "src/run/measurements.h"
 #include "src/run/settle.h"
-#include "src/run/toppling_meter.h"
 
 namespace polargrain {
 
@@ -97,8 +96,8 @@ int run_into(const fs::path& folder, PreparedRun& run, const RunRequest& request
     Simulation simulation(scenario.scene, *engine, info);
     const std::vector<std::unique_ptr<Sink>> sinks = make_sinks(folder, scenario.output);
     for (const auto& sink : sinks) simulation.add(*sink);
-    TopplingMeter toppling;
-    simulation.add(toppling);
+    Measurements measurements(scenario.expectations, reading_interval(scenario.output, scenario.run.duration));
+    simulation.add(measurements);
     if (scenario.output.impacts) simulation.record_impacts();
 
     const Stopwatch stopwatch;
@@ -108,9 +107,9 @@ int run_into(const fs::path& folder, PreparedRun& run, const RunRequest& request
         ending = simulation.run({&watch_interrupts(), [&](const Progress& progress) { display.show(progress); }});
     }
     Summary summary = summarize(scenario, info, simulation.state(), ending, stopwatch.read());
-    if (std::isfinite(toppling.speed())) summary.observables["domino_speed"] = toppling.speed();
+    summary.observables = measurements.values();
     write_summary(folder / "summary.json", summary);
-    if (!request.quiet) print_summary(summary, initial_energy(scenario.scene, info), folder);
+    if (!request.quiet) print_summary(summary, initial_energy(scenario.scene), folder);
     if (ending == Ending::completed) return k_exit_done;
     fmt::print(stderr,
                "interrupted at t = {:.6g} of {:.6g} s; what was computed so far is in {}\n"

@@ -6,8 +6,7 @@
 #include <cstdio>
 
 #include "src/core/build_info.h"
-#include "src/run/final_values.h"
-#include "src/run/observables.h"
+#include "src/observe/bed.h"
 
 namespace polargrain {
 
@@ -61,7 +60,6 @@ Summary summarize(const Scenario& scenario, const RunInfo& info, const RunState&
     summary.initial = info.initial;
     summary.final_energy = energy(state.world.grains, scenario.scene.gravity);
     summary.state_hash = state_hash(state.world);
-    summary.observables = final_values(scenario.scene, info, state);
     return summary;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/model/engine_settings.h"
+#include "src/model/observable_spec.h"
 #include "src/model/scene.h"
 
 namespace polargrain {
@@ -45,13 +46,25 @@ struct OutputSettings {
     double series_every = 0.002;      ///< [s]; 0: none
     bool impacts = false;
     double checkpoint_every_wall = 60.0;  ///< [s] of wall clock
+    std::vector<ObservableSpec> observe;  ///< further columns of series.csv, each with a label of its own
+};
+
+/// What is made of an observable's readings, one at each row of series.csv.
+enum class Statistic : std::uint8_t {
+    last,
+    mean,
+    minimum,
+    maximum,
+    change,  ///< last less first
 };
 
 /// What a correct run shows.
 struct Expectation {
-    std::string quantity;
-    std::optional<double> min, max;
-    std::string unit;
+    ObservableSpec observable;
+    Statistic statistic = Statistic::last;
+    std::optional<double> from, to;  ///< [s] readings outside are left out; none: the whole run
+    std::optional<double> min, max;  ///< in `unit`
+    std::string unit;                ///< empty: the one in which the observable is kept
     std::string source;
 };
 

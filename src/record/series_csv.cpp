@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-#include "src/run/observables.h"
+#include "src/observe/bed.h"
 
 namespace polargrain {
 

@@ -1,22 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
-#include "src/model/scene.h"
-#include "src/model/step_report.h"
+#include "src/model/sample.h"
 
 namespace polargrain {
-
-/// Sums since time zero.
-struct Totals {
-    EnergyLedger ledger;
-    MoveCount moves;
-    std::int64_t impacts = 0;
-    std::int64_t steps = 0;
-    std::int64_t contact_sum = 0;  ///< contacts summed over steps; over steps: the mean number
-    double deepest = 0.0;          ///< deepest overlap of accepted poses so far [m]
-};
 
 /// What is known before the first step.
 struct RunInfo {
@@ -27,14 +15,6 @@ struct RunInfo {
     double duration = 0.0;  ///< [s]
     Energy initial;         ///< at time zero
     double lowest = 0.0;    ///< height from which potential energy is counted in ratios [m], see Drop
-};
-
-/// The state at one instant, handed to a sink; valid only during the call.
-struct Sample {
-    const Scene& scene;
-    const World& world;
-    const StepReport& report;  ///< of the last step; empty at time zero
-    const Totals& totals;
 };
 
 /// Takes what a run produces: a file writer, a painter of frames, a meter. Called from one thread, in order.

@@ -5,7 +5,7 @@
 
 #include "src/core/error.h"
 #include "src/record/series_csv.h"
-#include "src/run/observables.h"
+#include "src/observe/bed.h"
 #include "tests/record/small_scene.h"
 
 namespace polargrain {

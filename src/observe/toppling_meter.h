@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "src/run/sink.h"
+#include "src/model/checkpoint.h"
+#include "src/model/sample.h"
 
 namespace polargrain {
 
@@ -12,15 +14,18 @@ namespace polargrain {
 /// that have toppled, ordered by where they stood along x, the wave being steady there: distance of the first from the
 /// last, over the time between them. L is the height of the first grain of that half: twice that of its centre of mass
 /// above the lowest point of the scene at time zero.
-class TopplingMeter final : public Sink {
+class TopplingMeter {
 public:
-    double every() const override { return 0.0; }
-    void begin(const Scene& scene, const RunInfo& info) override;
-    void step(const World& world, double dt, const StepReport& report) override;
-    void sample(const Sample& sample) override;
+    explicit TopplingMeter(const Scene& scene);
+
+    void step(const World& world, double dt, const StepReport& report);
 
     /// Dimensionless; NaN where fewer than four grains have toppled.
     double speed() const;
+    double read(const Sample& /*sample*/) const { return speed(); }
+
+    void save(Checkpoint& checkpoint, const std::string& prefix) const;
+    void load(const Checkpoint& checkpoint, const std::string& prefix);
 
 private:
     std::vector<double> stood_at_, height_, angle_;

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "src/core/elementary.h"
-#include "src/run/observables.h"
-#include "src/run/toppling_meter.h"
+#include "src/observe/bed.h"
+#include "src/observe/toppling_meter.h"
 
 namespace polargrain {
 namespace {
@@ -61,10 +61,7 @@ TEST(TopplingMeter, MeasuresAWaveOfKnownSpeed) {
         scene.grains.x[k] = 0.05 * static_cast<double>(k);
         scene.grains.y[k] = 0.02;
     }
-    RunInfo info;
-    info.lowest = 0.0;
-    TopplingMeter meter;
-    meter.begin(scene, info);
+    TopplingMeter meter(scene);
     EXPECT_TRUE(std::isnan(meter.speed()));
     World world = initial_world(scene);
     constexpr double dt = 1e-5;

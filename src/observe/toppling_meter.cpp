@@ -1,7 +1,9 @@
-#include "src/run/toppling_meter.h"
+#include "src/observe/toppling_meter.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "src/observe/bed.h"
 
 namespace polargrain {
 
@@ -11,16 +13,16 @@ constexpr double k_toppling = 0.02;  // rad
 
 }  // namespace
 
-void TopplingMeter::begin(const Scene& scene, const RunInfo& info) {
-    gravity_ = std::sqrt(scene.gravity.squaredNorm());
-    const Vec2 up = gravity_ > 0.0 ? Vec2(-scene.gravity / gravity_) : Vec2(Vec2::UnitY());
-    stood_at_ = scene.grains.x;
-    angle_ = scene.grains.angle;
-    height_.clear();
+TopplingMeter::TopplingMeter(const Scene& scene)
+    : stood_at_(scene.grains.x),
+      angle_(scene.grains.angle),
+      toppled_at_(scene.grains.x.size(), -1.0),
+      gravity_(std::sqrt(scene.gravity.squaredNorm())) {
+    const Vec2 up = upwards(scene);
+    const double lowest = largest_drop(scene).lowest;
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
-        height_.push_back(2.0 * (up.dot(scene.grains.position(k)) - info.lowest));
+        height_.push_back(2.0 * (up.dot(scene.grains.position(k)) - lowest));
     }
-    toppled_at_.assign(stood_at_.size(), -1.0);
 }
 
 void TopplingMeter::step(const World& world, double /*dt*/, const StepReport& /*report*/) {
@@ -30,8 +32,6 @@ void TopplingMeter::step(const World& world, double /*dt*/, const StepReport& /*
         }
     }
 }
-
-void TopplingMeter::sample(const Sample& /*sample*/) {}
 
 double TopplingMeter::speed() const {
     std::vector<std::size_t> toppled;
@@ -45,6 +45,14 @@ double TopplingMeter::speed() const {
     const std::size_t last = toppled.back();
     const double speed = std::abs((stood_at_[last] - stood_at_[first]) / (toppled_at_[last] - toppled_at_[first]));
     return speed / std::sqrt(gravity_ * height_[first]);
+}
+
+void TopplingMeter::save(Checkpoint& checkpoint, const std::string& prefix) const {
+    checkpoint.put(prefix + "/toppled_at", toppled_at_);
+}
+
+void TopplingMeter::load(const Checkpoint& checkpoint, const std::string& prefix) {
+    toppled_at_ = checkpoint.reals(prefix + "/toppled_at");
 }
 
 }  // namespace polargrain
