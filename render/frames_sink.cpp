@@ -16,16 +16,39 @@ void FramesSink::begin(const Scene& scene, const RunInfo& info) {
     std::filesystem::create_directories(folder_, failed);
     if (failed) throw RunError(fmt::format("{}: cannot make the folder: {}", folder_.string(), failed.message()));
     style_ = make_frame_style(settings_, scene, info.title);
-    count_ = 0;
+    count_ = synced_ = 0;
     index_.emplace(folder_ / "index.csv");
     index_->write("file,time,step\n");
     index_->flush();
 }
 
+std::filesystem::path FramesSink::file_of(std::int64_t frame) const {
+    return folder_ / fmt::format("{:06}.{}", frame, settings_.format);
+}
+
+void FramesSink::save(Checkpoint& checkpoint) {
+    for (; synced_ < count_; ++synced_) sync_file(file_of(synced_));
+    index_->sync();
+    checkpoint.put("count", std::vector{count_});
+    checkpoint.put("length", std::vector{index_->length()});
+}
+
+void FramesSink::resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) {
+    style_ = make_frame_style(settings_, scene, info.title);
+    count_ = synced_ = saved.integers("count").at(0);
+    for (std::int64_t frame = 0; frame < count_; ++frame) {
+        require(std::filesystem::exists(file_of(frame)), "{}: is missing, but was there when the checkpoint was made",
+                file_of(frame).string());
+    }
+    for (std::int64_t frame = count_; std::filesystem::remove(file_of(frame)); ++frame) {
+    }
+    index_.emplace(folder_ / "index.csv", saved.integers("length").at(0));
+}
+
 void FramesSink::sample(const Sample& sample) {
-    const std::string file = fmt::format("{:06}.{}", count_, settings_.format);
-    draw_frame(picture_of(sample.scene, sample.world, sample.report), style_, folder_ / file);
-    index_->write(fmt::format("{},{},{}\n", file, sample.world.time, sample.world.step));
+    const std::filesystem::path file = file_of(count_);
+    draw_frame(picture_of(sample.scene, sample.world, sample.report), style_, file);
+    index_->write(fmt::format("{},{},{}\n", file.filename().string(), sample.world.time, sample.world.step));
     index_->flush();
     ++count_;
 }

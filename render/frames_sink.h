@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -17,17 +18,22 @@ public:
 
     double every() const override { return settings_.every; }
     void begin(const Scene& scene, const RunInfo& info) override;
+    void save(Checkpoint& checkpoint) override;
+    void resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) override;
     void sample(const Sample& sample) override;
     void end() override;
 
-    int count() const { return count_; }
+    std::int64_t count() const { return count_; }
 
 private:
+    std::filesystem::path file_of(std::int64_t frame) const;
+
     std::filesystem::path folder_;
     FrameSettings settings_;
     FrameStyle style_;
     std::optional<TextFile> index_;
-    int count_ = 0;
+    std::int64_t count_ = 0;
+    std::int64_t synced_ = 0;  ///< of them, on the disk for sure
 };
 
 }  // namespace polargrain

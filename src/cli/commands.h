@@ -22,9 +22,18 @@ struct RunRequest {
     std::optional<std::filesystem::path> folder;  ///< none: out/<scenario name>
     bool force = false;
     bool quiet = false;
-    std::string command_line;  ///< for messages that say how to repeat the run
+    std::string program = "polargrain";  ///< as it was called
+    std::string command_line;            ///< for messages that say how to repeat the run
 };
 int run_command(const RunRequest& request);
+
+struct ResumeRequest {
+    std::filesystem::path folder;  ///< of a run
+    std::optional<double> until;   ///< [s] new duration of the run; none: the one it has
+    std::string program = "polargrain";
+    bool quiet = false;
+};
+int resume_command(const ResumeRequest& request);
 
 struct CheckRequest {
     std::string scenario;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <functional>
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "src/cli/commands.h"
+#include "src/cli/shell_words.h"
 #include "src/core/build_info.h"
 #include "src/core/error.h"
 #include "src/core/nearest_name.h"
@@ -24,18 +26,9 @@ std::string version_text() {
                        build.compiler, build.flags, build.libraries);
 }
 
-/// A word as a shell would need it to be typed.
-std::string quoted(const std::string& word) {
-    const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 std::string command_line(std::span<const char* const> words) {
     std::string line;
-    for (const char* word : words) line += (line.empty() ? "" : " ") + quoted(word);
+    for (const char* word : words) line += (line.empty() ? "" : " ") + shell_quoted(word);
     return line;
 }
 
@@ -65,8 +58,25 @@ void add_run(CLI::App& app, RunRequest& request, Action& action) {
         "  polargrain run domino-opalene\n"
         "  polargrain run scenarios/bin-rough.toml -o out/bin --set run.duration=0.5 --seed 7\n"
         "  polargrain run out/bin/scenario.toml -o out/bin-again     (the same result, bit for bit)\n"
-        "Ctrl-C ends a run after the step in progress; what was computed so far stays in the folder.");
+        "Ctrl-C ends a run after the step in progress, with a checkpoint: polargrain resume DIR carries it on. After "
+        "a\n"
+        "kill it goes on from the last checkpoint, by default written every minute (output.checkpoint.every_wall).");
     command->callback([&] { action = [&] { return run_command(request); }; });
+}
+
+void add_resume(CLI::App& app, ResumeRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("resume", "carry a run on from its last checkpoint");
+    command->add_option("DIR", request.folder, "run folder")->required();
+    command->add_option("--until", request.until, "simulated time to run to [s], in place of run.duration")
+        ->type_name("T")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain resume out/domino-opalene                 (after Ctrl-C, a kill or a full disk)\n"
+        "  polargrain resume out/domino-opalene --until 1.2     (a finished run goes on)\n"
+        "Every file of the folder becomes what it would have been without the interruption, bit for bit.");
+    command->callback([&] { action = [&] { return resume_command(request); }; });
 }
 
 void add_check(CLI::App& app, CheckRequest& request, Action& action) {
@@ -167,6 +177,8 @@ int run_action(const Action& action) {
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
+    // Too large a file is then an error of the write that meets it, as on a full disk, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app{"polargrain: 2D granular flow with real grain shapes", "polargrain"};
     app.set_version_flag("--version", version_text, "version, build flags and library versions");
     app.set_help_flag("-h,--help", "this help");
@@ -178,13 +190,16 @@ int run_program(int argc, const char* const* argv) {
         "Exit codes: 0 done, 1 the run failed, 2 wrong input or command line, 130 interrupted.");
 
     RunRequest run;
+    ResumeRequest resume;
     CheckRequest check;
     ShapeRequest shape;
     SheetRequest sheet;
     std::string what;
     Action action;
     run.command_line = command_line({argv, static_cast<std::size_t>(argc)});
+    run.program = resume.program = argv[0];
     add_run(app, run, action);
+    add_resume(app, resume, action);
     add_check(app, check, action);
     add_shape(app, shape, action);
     add_list(app, what, action);

@@ -13,8 +13,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array k_run_files{"scenario.toml", "summary.json",  "series.csv", "trajectory.h5",
-                                 "impacts.csv",   "checkpoint.h5", "sheet.png"};
+/// The checkpoint first: the rest means nothing to it once something is gone.
+constexpr std::array k_run_files{"checkpoint.h5",      "checkpoint.h5.part", "scenario.toml", "scenario.toml.part",
+                                 "summary.json",       "summary.json.part",  "series.csv",    "trajectory.h5",
+                                 "trajectory.h5.part", "impacts.csv",        "sheet.png"};
 
 bool belongs_to_frames(const fs::path& file) {
     constexpr std::array extensions{".png", ".svg", ".pdf"};

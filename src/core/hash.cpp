@@ -13,6 +13,8 @@ void StateHash::add(std::span<const double> values) { add_bytes(values.data(), v
 
 void StateHash::add(std::int64_t value) { add_bytes(&value, sizeof value); }
 
+void StateHash::add(std::string_view bytes) { add_bytes(bytes.data(), bytes.size()); }
+
 std::string StateHash::hex() const { return fmt::format("{:016x}", value_); }
 
 }  // namespace polargrain

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace polargrain {
 
@@ -11,6 +12,7 @@ class StateHash {
 public:
     void add(std::span<const double> values);
     void add(std::int64_t value);
+    void add(std::string_view bytes);
     std::uint64_t value() const { return value_; }
     /// Sixteen hexadecimal digits.
     std::string hex() const;

@@ -1,9 +1,12 @@
 #include "src/record/h5.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <numeric>
+#include <system_error>
 
 namespace polargrain::h5 {
 
@@ -78,11 +81,8 @@ void select_rows(const Handle& space, const Size& size, hsize_t first, hsize_t c
     check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, block.data(), nullptr), "select rows");
 }
 
-/// About 8 kB: small enough to be written whole at each flush, large enough not to drown in book-keeping.
-hsize_t rows_per_chunk(std::size_t row_bytes) {
-    constexpr std::size_t k_chunk_bytes = 8192;
-    return std::max<hsize_t>(1, k_chunk_bytes / std::max<std::size_t>(1, row_bytes));
-}
+/// Small enough to be written whole at each flush, large enough not to drown in book-keeping.
+constexpr std::size_t k_chunk_bytes = 8192;
 
 }  // namespace
 
@@ -103,13 +103,14 @@ void Handle::close(const std::string& doing) {
     if (id_ >= 0) check(close_(std::exchange(id_, -1)), doing);
 }
 
-Handle create_file(const std::string& path) {
+Handle create_file(const std::string& path, hsize_t user_block) {
     // Errors are thrown, with the file's name; the library's own print-out would only precede them.
     check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "set up");
     const Handle access = property_list(H5P_FILE_ACCESS);
     // Version 1.8 of the format has no mark "open for writing", which would lock out readers after a kill.
     check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18), "choose the format");
     const Handle creation = untimed(H5P_FILE_CREATE);
+    check(H5Pset_userblock(creation.id(), user_block), "leave room at the beginning");
     return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, "create the file"};
 }
 
@@ -144,6 +145,17 @@ std::vector<std::string> names_in(hid_t group) {
         names.push_back(std::move(name));
     }
     return names;
+}
+
+bool is_group(hid_t parent, const std::string& name) {
+    const Handle object(H5Oopen(parent, name.c_str(), H5P_DEFAULT), H5Oclose, "read " + name);
+    return H5Iget_type(object.id()) == H5I_GROUP;
+}
+
+bool is_real(hid_t parent, const std::string& name) {
+    const Handle dataset = open_dataset(parent, name);
+    const Handle type(H5Dget_type(dataset.id()), H5Tclose, "read the type of " + name);
+    return H5Tget_class(type.id()) == H5T_FLOAT;
 }
 
 bool has_attribute(hid_t object, const std::string& name) { return H5Aexists(object, name.c_str()) > 0; }
@@ -200,8 +212,10 @@ Handle put_data(hid_t parent, const std::string& name, std::span<const T> values
     const std::string doing = "write dataset " + name;
     const Handle creation = untimed(H5P_DATASET_CREATE);
     const Handle space = simple_space(size);
+    const Handle links = property_list(H5P_LINK_CREATE);
+    check(H5Pset_create_intermediate_group(links.id(), 1), doing);
     Handle dataset(
-        H5Dcreate2(parent, name.c_str(), memory_type<T>(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+        H5Dcreate2(parent, name.c_str(), memory_type<T>(), space.id(), links.id(), creation.id(), H5P_DEFAULT),
         H5Dclose, doing);
     if (!values.empty()) {
         check(H5Dwrite(dataset.id(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), doing);
@@ -241,6 +255,11 @@ std::vector<T> rows(hid_t parent, const std::string& name, hsize_t first, hsize_
 }
 
 template <typename T>
+hsize_t rows_per_chunk(std::size_t row_length) {
+    return std::max<hsize_t>(1, k_chunk_bytes / std::max<std::size_t>(1, row_length * sizeof(T)));
+}
+
+template <typename T>
 Growing<T>::Growing(hid_t parent, const std::string& name, Size row) : size_(std::move(row)) {
     size_.insert(size_.begin(), 1);
     const std::size_t row_length = product(size_);
@@ -250,7 +269,7 @@ Growing<T>::Growing(hid_t parent, const std::string& name, Size row) : size_(std
     for (std::size_t axis = 1; axis < size_.size(); ++axis)
         most[axis] = chunk[axis] = std::max<hsize_t>(1, size_[axis]);
     most[0] = H5S_UNLIMITED;
-    chunk[0] = rows_per_chunk(row_length * sizeof(T));
+    chunk[0] = chunk_rows_ = rows_per_chunk<T>(row_length);
     const Handle creation = untimed(H5P_DATASET_CREATE);
     const int rank = static_cast<int>(size_.size());
     check(H5Pset_chunk(creation.id(), rank, chunk.data()), "cut dataset " + name + " into chunks");
@@ -278,6 +297,27 @@ void Growing<T>::append(std::span<const T> values) {
           "append to a dataset");
 }
 
+template <typename T>
+const std::vector<std::int64_t>& Growing<T>::chunk_places() {
+    Size corner(size_.size(), 0);
+    for (hsize_t k = chunk_places_.size(); k * chunk_rows_ < size_[0]; ++k) {
+        corner[0] = k * chunk_rows_;
+        unsigned filters = 0;
+        haddr_t place = HADDR_UNDEF;
+        hsize_t bytes = 0;
+        check(H5Dget_chunk_info_by_coord(dataset_.id(), corner.data(), &filters, &place, &bytes), "find a chunk");
+        chunk_places_.push_back(static_cast<std::int64_t>(place));
+    }
+    return chunk_places_;
+}
+
+void sync(hid_t file) {
+    void* descriptor = nullptr;
+    check(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), "write the file");
+    if (fsync(*static_cast<const int*>(descriptor)) == 0) return;
+    throw Failure("cannot write the file: " + std::generic_category().message(errno));
+}
+
 #define POLARGRAIN_H5_FOR(T)                                                                 \
     template void put_number<T>(hid_t, const std::string&, T);                               \
     template void put_numbers<T>(hid_t, const std::string&, std::span<const T>);             \
@@ -286,6 +326,7 @@ void Growing<T>::append(std::span<const T> values) {
     template Handle put_data<T>(hid_t, const std::string&, std::span<const T>, const Size&); \
     template std::vector<T> data<T>(hid_t, const std::string&, Size*);                       \
     template std::vector<T> rows<T>(hid_t, const std::string&, hsize_t, hsize_t);            \
+    template hsize_t rows_per_chunk<T>(std::size_t);                                         \
     template class Growing<T>;
 POLARGRAIN_H5_FOR(double)
 POLARGRAIN_H5_FOR(std::int32_t)

@@ -71,10 +71,15 @@ inline hid_t memory_type<std::int64_t>() {
 
 /// Creates (or empties) a file readable by HDF5 1.8 and later, without times of day in it, so that equal content is
 /// equal bytes. A program that is killed after a flush leaves it readable.
-Handle create_file(const std::string& path);
+/// user_block: bytes left free at its beginning for the caller, 0 or a power of two from 512.
+Handle create_file(const std::string& path, hsize_t user_block = 0);
 Handle open_file(const std::string& path);
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
+/// Whether the entry of a group is a group itself, or a dataset.
+bool is_group(hid_t parent, const std::string& name);
+/// Whether a dataset holds floating-point numbers, or integers.
+bool is_real(hid_t parent, const std::string& name);
 /// Names of what is in a group, in alphabetical order.
 std::vector<std::string> names_in(hid_t group);
 bool has_attribute(hid_t object, const std::string& name);
@@ -94,7 +99,7 @@ T number(hid_t object, const std::string& name);
 template <typename T>
 std::vector<T> numbers(hid_t object, const std::string& name);
 
-/// A dataset of fixed size.
+/// A dataset of fixed size. Groups that the name asks for are made.
 template <typename T>
 Handle put_data(hid_t parent, const std::string& name, std::span<const T> values, const Size& size);
 /// All of a dataset, row by row; `size` receives its extent.
@@ -115,9 +120,23 @@ public:
     void append(std::span<const T> values);
     hid_t id() const { return dataset_.id(); }
 
+    /// Where its chunks stand in the file, counted from the file's beginning [byte]; they never move. To be called
+    /// after a flush.
+    const std::vector<std::int64_t>& chunk_places();
+    hsize_t rows() const { return size_.at(0); }
+
 private:
     Handle dataset_;
     Size size_;  // extent so far; the first axis grows
+    hsize_t chunk_rows_ = 1;
+    std::vector<std::int64_t> chunk_places_;  // as far as they have been asked for
 };
+
+/// Rows in a chunk of a growing dataset whose rows have so many numbers of type T.
+template <typename T>
+hsize_t rows_per_chunk(std::size_t row_length);
+
+/// Waits until the file is on the disk.
+void sync(hid_t file);
 
 }  // namespace polargrain::h5

@@ -50,12 +50,26 @@ void append_row(std::string& text, const ImpactRecord& impact, const std::vector
 
 ImpactsCsv::ImpactsCsv(std::filesystem::path path, double every) : path_(std::move(path)), every_(every) {}
 
-void ImpactsCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
+void ImpactsCsv::name_walls(const Scene& scene) {
     wall_names_.clear();
     for (const Wall& wall : scene.walls) wall_names_.push_back(csv_field(wall.name));
+}
+
+void ImpactsCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
+    name_walls(scene);
     file_.emplace(path_);
     file_->write(k_columns);
     file_->flush();
+}
+
+void ImpactsCsv::save(Checkpoint& checkpoint) {
+    file_->sync();
+    checkpoint.put("length", std::vector{file_->length()});
+}
+
+void ImpactsCsv::resume(const Scene& scene, const RunInfo& /*info*/, const Checkpoint& saved) {
+    name_walls(scene);
+    file_.emplace(path_, saved.integers("length").at(0));
 }
 
 void ImpactsCsv::step(const World& /*world*/, double /*dt*/, const StepReport& report) {

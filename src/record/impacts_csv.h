@@ -23,11 +23,15 @@ public:
 
     double every() const override { return every_; }
     void begin(const Scene& scene, const RunInfo& info) override;
+    void save(Checkpoint& checkpoint) override;
+    void resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) override;
     void step(const World& world, double dt, const StepReport& report) override;
     void sample(const Sample& sample) override;
     void end() override;
 
 private:
+    void name_walls(const Scene& scene);
+
     std::filesystem::path path_;
     double every_;
     std::optional<TextFile> file_;

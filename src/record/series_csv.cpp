@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "src/observe/bed.h"
+#include "src/observe/motion.h"
 
 namespace polargrain {
 
@@ -15,20 +16,15 @@ constexpr const char* k_columns =
     "contacts,impacts,moves_rejected,moves_shortened,centre_of_mass_x,centre_of_mass_y,grains_in,grains_out,"
     "energy_correction,energy_created,energy_rises,moves_tried";
 
-/// Zero for no grains.
-Vec2 centre_of_mass(const Grains& grains) {
-    Vec2 moment = Vec2::Zero();
-    double mass = 0.0;
-    for (GrainIndex k = 0; k < grains.size(); ++k) {
-        moment += grains.mass[Grains::at(k)] * grains.position(k);
-        mass += grains.mass[Grains::at(k)];
-    }
-    return mass > 0.0 ? Vec2(moment / mass) : moment;
-}
-
 }  // namespace
 
-SeriesCsv::SeriesCsv(std::filesystem::path path, double every) : path_(std::move(path)), every_(every) {}
+SeriesCsv::SeriesCsv(std::filesystem::path path, double every, std::vector<ObservableSpec> observe)
+    : path_(std::move(path)), every_(every), observe_(std::move(observe)) {}
+
+void SeriesCsv::make_observers(const Scene& scene) {
+    observers_.clear();
+    for (const ObservableSpec& spec : observe_) observers_.emplace_back(spec, scene);
+}
 
 void SeriesCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
     std::string header = k_columns;
@@ -37,6 +33,8 @@ void SeriesCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
             header += ',' + csv_field(fmt::format("wall_{}_{}", wall.name, quantity));
         }
     }
+    make_observers(scene);
+    for (const Observer& observer : observers_) header += ',' + csv_field(observer.label());
     wall_sums_.assign(scene.walls.size(), {});
     interval_ = 0.0;
     file_.emplace(path_);
@@ -44,8 +42,31 @@ void SeriesCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
     file_->flush();
 }
 
-void SeriesCsv::step(const World& /*world*/, double dt, const StepReport& report) {
+void SeriesCsv::save(Checkpoint& checkpoint) {
+    file_->sync();
+    std::vector<double> sums;
+    for (const WallImpulse& sum : wall_sums_) sums.insert(sums.end(), {sum.linear.x(), sum.linear.y(), sum.angular});
+    checkpoint.put("length", std::vector{file_->length()});
+    checkpoint.put("wall_sums", std::move(sums));
+    checkpoint.put("interval", std::vector{interval_});
+    for (const Observer& observer : observers_) observer.save(checkpoint, observer.label());
+}
+
+void SeriesCsv::resume(const Scene& scene, const RunInfo& /*info*/, const Checkpoint& saved) {
+    const auto& sums = saved.reals("wall_sums");
+    wall_sums_.assign(scene.walls.size(), {});
+    for (std::size_t w = 0; w < wall_sums_.size(); ++w) {
+        wall_sums_[w] = {{sums.at(3 * w), sums.at(3 * w + 1)}, sums.at(3 * w + 2)};
+    }
+    interval_ = saved.reals("interval").at(0);
+    make_observers(scene);
+    for (Observer& observer : observers_) observer.load(saved, observer.label());
+    file_.emplace(path_, saved.integers("length").at(0));
+}
+
+void SeriesCsv::step(const World& world, double dt, const StepReport& report) {
     interval_ += dt;
+    for (Observer& observer : observers_) observer.step(world, dt, report);
     for (std::size_t w = 0; w < wall_sums_.size(); ++w) {
         wall_sums_[w].linear += report.walls[w].linear;
         wall_sums_[w].angular += report.walls[w].angular;
@@ -64,6 +85,7 @@ void SeriesCsv::sample(const Sample& sample) {
         totals.moves.shortened, centre.x(), centre.y(), sample.world.grains.size() - out, out, totals.ledger.correction,
         totals.ledger.created, totals.ledger.rises, totals.moves.tried);
     append_walls(row);
+    for (Observer& observer : observers_) fmt::format_to(std::back_inserter(row), ",{}", observer.read(sample));
     file_->write(row + '\n');
     file_->flush();
 }

@@ -1,11 +1,7 @@
 #include "src/record/summary.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "src/core/error.h"
 #include "src/record/text_file.h"
 
 namespace polargrain {
@@ -53,6 +49,7 @@ Json to_json(const Summary& summary) {
             {"engine", summary.engine},
             {"version", summary.version},
             {"build_flags", summary.build_flags},
+            {"notes", summary.notes},
             {"seed", summary.seed},
             {"threads", summary.threads},
             {"interrupted", !summary.completed},
@@ -75,16 +72,7 @@ Json to_json(const Summary& summary) {
 }  // namespace
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
-    std::filesystem::path unfinished = path;
-    unfinished += ".part";
-    TextFile file(unfinished);
-    file.write(to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
-    file.close();
-    std::error_code failed;
-    std::filesystem::rename(unfinished, path, failed);
-    if (failed) {
-        throw RunError(fmt::format("{}: cannot put the summary in place: {}", path.string(), failed.message()));
-    }
+    write_whole_file(path, to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace polargrain

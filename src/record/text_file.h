@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -8,16 +9,22 @@
 
 namespace polargrain {
 
-/// A text file that is written from its beginning. Whatever goes wrong (no such folder, a full disk) is a RunError
-/// that names the file.
+/// A text file that is written from its beginning, or carried on. Whatever goes wrong (no such folder, a full disk) is
+/// a RunError that names the file.
 class TextFile {
 public:
     /// Creates the file, or empties one that is there.
     explicit TextFile(std::filesystem::path path);
+    /// Carries on a file behind its first `length` bytes; what follows them is cut off. InputError where the file is
+    /// not there, or shorter.
+    TextFile(std::filesystem::path path, std::int64_t length);
 
     void write(std::string_view text);
     /// Hands everything written so far to the operating system: a killed program loses nothing of it.
     void flush();
+    /// Flushes, and waits until it is on the disk: a machine that loses its power loses nothing of it.
+    void sync();
+    std::int64_t length() const { return length_; }  ///< [byte] so far
     /// Flushes and closes; errors that the system reports late surface here.
     void close();
 
@@ -29,7 +36,18 @@ private:
     };
     std::filesystem::path path_;
     std::unique_ptr<std::FILE, Closer> file_;
+    std::int64_t length_ = 0;
 };
+
+/// Writes a file as a whole: beside its place first, and renamed when it is on the disk, so that at any instant it is
+/// the old one, the new one or absent, never half of one.
+void write_whole_file(const std::filesystem::path& path, std::string_view text);
+
+/// Waits until the file is on the disk; RunError names it.
+void sync_file(const std::filesystem::path& path);
+
+/// Puts `part`, which is complete, on the disk and in the place of `path`.
+void put_in_place(const std::filesystem::path& part, const std::filesystem::path& path);
 
 /// The text as one field of a CSV row, in quotes where it holds a comma, a quote or a line break (RFC 4180).
 std::string csv_field(std::string_view text);

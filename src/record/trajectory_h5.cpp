@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "src/core/error.h"
 #include "src/record/h5.h"
+#include "src/record/text_file.h"
+#include "src/record/trajectory_head.h"
 #include "src/record/trajectory_layout.h"
+#include "src/record/trajectory_rows.h"
 
 namespace polargrain {
 
@@ -26,34 +28,13 @@ void naming_the_file(const std::filesystem::path& path, Job job) {
     }
 }
 
-std::vector<double> flat(std::span<const Vec2> points) {
-    std::vector<double> numbers;
-    numbers.reserve(2 * points.size());
-    for (const Vec2& p : points) numbers.insert(numbers.end(), {p.x(), p.y()});
-    return numbers;
-}
-
-/// Names as HDF5 can hold them, each once: a slash would open a group, and equal names would collide.
-class LinkNames {
-public:
-    std::string of(std::string name, std::size_t index) {
-        std::replace(name.begin(), name.end(), '/', '_');
-        if (name.empty() || name == ".") name = "_";
-        if (!taken_.insert(name).second) {
-            name += fmt::format("#{}", index);
-            taken_.insert(name);
-        }
-        return name;
+std::vector<double> paired(std::span<const double> x, std::span<const double> y) {
+    std::vector<double> pairs(2 * x.size());
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        pairs[2 * k] = x[k];
+        pairs[2 * k + 1] = y[k];
     }
-
-private:
-    std::set<std::string> taken_;
-};
-
-void put_unit(hid_t object, const char* unit) { h5::put_text(object, "unit", unit); }
-
-void put_points(hid_t group, const char* name, std::span<const Vec2> points) {
-    put_unit(h5::put_data<double>(group, name, flat(points), {points.size(), 2}).id(), "m");
+    return pairs;
 }
 
 /// The step and the time of each frame, shared by all that changes with time.
@@ -62,9 +43,13 @@ public:
     Clock() = default;
     explicit Clock(hid_t group) : step_(group, "step", {}), time_(group, "time", {}) { put_unit(time_.id(), "s"); }
 
-    void append(const World& world) {
-        step_.append(std::span(&world.step, 1));
-        time_.append(std::span(&world.time, 1));
+    void append(const FrameRows& frame) {
+        step_.append(std::span(&frame.step, 1));
+        time_.append(std::span(&frame.time, 1));
+    }
+    void save_places(Checkpoint& places) {
+        places.put("step", step_.chunk_places());
+        places.put("time", time_.chunk_places());
     }
     void share_with(hid_t group) const {
         for (const auto& [dataset, name] : {std::pair{step_.id(), "step"}, std::pair{time_.id(), "time"}}) {
@@ -91,90 +76,6 @@ Growing<double> time_dependent(hid_t parent, const char* name, const h5::Size& r
     return value;
 }
 
-void put_provenance(hid_t file, const Provenance& provenance) {
-    const Handle h5md = h5::create_group(file, "h5md");
-    h5::put_numbers<std::int32_t>(h5md.id(), "version", std::vector<std::int32_t>{1, 1});
-    const Handle author = h5::create_group(h5md.id(), "author");
-    h5::put_text(author.id(), "name", provenance.author);
-    const Handle creator = h5::create_group(h5md.id(), "creator");
-    h5::put_text(creator.id(), "name", "polargrain");
-    h5::put_text(creator.id(), "version", provenance.version);
-    h5::put_text(creator.id(), "build", provenance.build);
-    const Handle modules = h5::create_group(h5md.id(), "modules");
-    const Handle units = h5::create_group(modules.id(), "units");
-    h5::put_numbers<std::int32_t>(units.id(), "version", std::vector<std::int32_t>{1, 0});
-    h5::put_text(units.id(), "system", "SI");
-}
-
-void put_problem(hid_t ours, const Scene& scene, const RunInfo& info) {
-    h5::put_number<std::int32_t>(ours, "layout_version", layout::k_version);
-    h5::put_text(ours, "title", info.title);
-    h5::put_text(ours, "source", info.source);
-    h5::put_text(ours, "engine", info.engine);
-    h5::put_number<double>(ours, "time_step", info.dt);
-    h5::put_number<double>(ours, "duration", info.duration);
-    h5::put_number<std::int64_t>(ours, "seed", static_cast<std::int64_t>(scene.seed));
-    h5::put_numbers<double>(ours, "gravity", flat(std::span(&scene.gravity, 1)));
-}
-
-void put_outline(hid_t group, const Disk& disk) { h5::put_number<double>(group, "radius", disk.radius()); }
-
-void put_outline(hid_t group, const PolarPolygon& polygon) { put_points(group, "vertices", polygon.vertices()); }
-
-void put_shapes(hid_t ours, const Scene& scene) {
-    const Handle shapes = h5::create_group(ours, layout::k_shapes);
-    LinkNames names;
-    for (std::size_t s = 0; s < scene.shapes.size(); ++s) {
-        const Shape& shape = *scene.shapes[s];
-        const Handle group = h5::create_group(shapes.id(), names.of(name(shape), s));
-        h5::put_text(group.id(), "name", name(shape));
-        h5::put_number<std::int32_t>(group.id(), "index", static_cast<std::int32_t>(s));
-        h5::put_number<double>(group.id(), "area", area(shape));
-        h5::put_number<double>(group.id(), "polar_moment", polar_moment(shape));
-        std::visit([&group](const auto& outline) { put_outline(group.id(), outline); }, shape);
-    }
-}
-
-void put_materials(hid_t ours, const Materials& materials) {
-    const Handle all = h5::create_group(ours, layout::k_materials);
-    LinkNames names;
-    for (MaterialIndex m = 0; m < materials.size(); ++m) {
-        const Material& material = materials[m];
-        const Handle group = h5::create_group(all.id(), names.of(material.name, static_cast<std::size_t>(m)));
-        h5::put_text(group.id(), "name", material.name);
-        h5::put_number<std::int32_t>(group.id(), "index", m);
-        h5::put_number<double>(group.id(), "density", material.density);
-        h5::put_number<double>(group.id(), "friction", material.friction);
-        h5::put_number<double>(group.id(), "restitution_mean", material.restitution.mean);
-        h5::put_number<double>(group.id(), "restitution_stddev", material.restitution.stddev);
-    }
-}
-
-Handle put_wall(hid_t walls, const Wall& wall, const std::string& link, std::size_t index) {
-    Handle group = h5::create_group(walls, link);
-    h5::put_text(group.id(), "name", wall.name);
-    h5::put_number<std::int32_t>(group.id(), "index", static_cast<std::int32_t>(index));
-    h5::put_number<std::int32_t>(group.id(), "material", wall.material);
-    if (wall.remove_at) h5::put_number<double>(group.id(), "remove_at", *wall.remove_at);
-    put_points(group.id(), "points", wall.points);
-    return group;
-}
-
-void put_per_grain(hid_t group, const Grains& grains) {
-    const h5::Size all{grains.x.size()};
-    put_unit(h5::put_data<double>(group, "mass", grains.mass, all).id(), "kg m-1");
-    put_unit(h5::put_data<double>(group, "inertia", grains.inertia, all).id(), "kg m");
-    h5::put_data<std::int32_t>(group, "shape", grains.shape, all);
-    h5::put_data<std::int32_t>(group, "material", grains.material, all);
-}
-
-/// H5MD wants to know how space is bounded: not at all.
-void put_box(hid_t group) {
-    const Handle box = h5::create_group(group, "box");
-    h5::put_number<std::int32_t>(box.id(), "dimension", 2);
-    h5::put_texts(box.id(), "boundary", {"none", "none"});
-}
-
 /// Contacts of all frames one after the other, and where each frame's begin.
 class Contacts {
 public:
@@ -192,26 +93,25 @@ public:
         put_unit(impulse_.id(), "N s m-1");
     }
 
-    void append(std::span<const Contact> contacts) {
-        std::vector<std::int32_t> bodies;
-        std::vector<double> gaps;
-        std::vector<Vec2> points, normals, impulses;
-        for (const Contact& contact : contacts) {
-            bodies.insert(bodies.end(), {contact.a, contact.b});
-            points.push_back(contact.point);
-            normals.push_back(contact.normal);
-            gaps.push_back(contact.gap);
-            impulses.push_back(contact.impulse);
-        }
-        bodies_.append(bodies);
-        point_.append(flat(points));
-        normal_.append(flat(normals));
-        gap_.append(gaps);
-        impulse_.append(flat(impulses));
-        const auto count = static_cast<std::int64_t>(contacts.size());
+    void append(const FrameRows& frame) {
+        bodies_.append(frame.bodies);
+        point_.append(frame.point);
+        normal_.append(frame.normal);
+        gap_.append(frame.gap);
+        impulse_.append(frame.impulse);
+        const std::int64_t count = frame.contacts();
         first_.append(std::span(&total_, 1));
         count_.append(std::span(&count, 1));
         total_ += count;
+    }
+    void save_places(Checkpoint& places) {
+        places.put("contacts", std::vector{total_});
+        places.put("count", count_.chunk_places());
+        places.put("bodies", bodies_.chunk_places());
+        places.put("point", point_.chunk_places());
+        places.put("normal", normal_.chunk_places());
+        places.put("gap", gap_.chunk_places());
+        places.put("impulse", impulse_.chunk_places());
     }
 
 private:
@@ -247,20 +147,43 @@ public:
         flush();
     }
 
-    void append(const Sample& sample) {
-        const Grains& grains = sample.world.grains;
-        append_pairs(position_, grains.x, grains.y);
-        angle_.append(grains.angle);
-        append_pairs(velocity_, grains.vx, grains.vy);
-        spin_.append(grains.spin);
-        for (auto& [wall, pose] : wall_poses_) {
-            const Pose now = wall_state(sample.scene.walls[wall], sample.world.time).pose;
-            pose.append(std::vector<double>{now.centre.x(), now.centre.y(), now.cosine, now.sine});
+    void append(const Sample& sample) { append(rows_of(sample)); }
+
+    void append(const FrameRows& frame) {
+        position_.append(frame.position);
+        angle_.append(frame.angle);
+        velocity_.append(frame.velocity);
+        spin_.append(frame.spin);
+        for (std::size_t w = 0; w < wall_poses_.size(); ++w) {
+            wall_poses_[w].second.append(std::span(frame.wall_poses).subspan(4 * w, 4));
         }
-        contacts_->append(sample.report.contacts);
-        clock_.append(sample.world);
+        contacts_->append(frame);
+        clock_.append(frame);
         flush();
+        frame.add_to(hash_);
+        ++frames_;
     }
+
+    /// How many frames there are, and where in the file they stand.
+    void save(Checkpoint& checkpoint) {
+        h5::sync(file_.id());
+        checkpoint.put("frames", std::vector{frames_});
+        checkpoint.put("hash", std::vector{static_cast<std::int64_t>(hash_.value())});
+        Checkpoint places;
+        clock_.save_places(places);
+        places.put("position", position_.chunk_places());
+        places.put("angle", angle_.chunk_places());
+        places.put("velocity", velocity_.chunk_places());
+        places.put("spin", spin_.chunk_places());
+        for (std::size_t w = 0; w < wall_poses_.size(); ++w) {
+            places.put(fmt::format("wall{}", w), wall_poses_[w].second.chunk_places());
+        }
+        contacts_->save_places(places);
+        checkpoint.put_part(layout::k_places, places);
+    }
+
+    std::uint64_t hash() const { return hash_.value(); }
+    std::size_t moving_walls() const { return wall_poses_.size(); }
 
     void flush() { h5::check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "write the file"); }
 
@@ -275,13 +198,27 @@ private:
         }
     }
 
-    void append_pairs(Growing<double>& dataset, std::span<const double> x, std::span<const double> y) {
-        buffer_.resize(2 * x.size());
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            buffer_[2 * k] = x[k];
-            buffer_[2 * k + 1] = y[k];
+    FrameRows rows_of(const Sample& sample) const {
+        FrameRows frame;
+        const Grains& grains = sample.world.grains;
+        frame.step = sample.world.step;
+        frame.time = sample.world.time;
+        frame.position = paired(grains.x, grains.y);
+        frame.angle = grains.angle;
+        frame.velocity = paired(grains.vx, grains.vy);
+        frame.spin = grains.spin;
+        for (const auto& entry : wall_poses_) {
+            const Pose now = wall_state(sample.scene.walls[entry.first], sample.world.time).pose;
+            frame.wall_poses.insert(frame.wall_poses.end(), {now.centre.x(), now.centre.y(), now.cosine, now.sine});
         }
-        dataset.append(buffer_);
+        for (const Contact& contact : sample.report.contacts) {
+            frame.bodies.insert(frame.bodies.end(), {contact.a, contact.b});
+            frame.point.insert(frame.point.end(), {contact.point.x(), contact.point.y()});
+            frame.normal.insert(frame.normal.end(), {contact.normal.x(), contact.normal.y()});
+            frame.gap.push_back(contact.gap);
+            frame.impulse.insert(frame.impulse.end(), {contact.impulse.x(), contact.impulse.y()});
+        }
+        return frame;
     }
 
     Handle file_;  // first in, last out: it closes after everything in it
@@ -289,7 +226,8 @@ private:
     Growing<double> position_, angle_, velocity_, spin_;
     std::vector<std::pair<std::size_t, Growing<double>>> wall_poses_;  // of moving walls
     std::optional<Contacts> contacts_;
-    std::vector<double> buffer_;  // one frame
+    std::int64_t frames_ = 0;
+    StateHash hash_;  // of all frames
 };
 
 TrajectoryH5::TrajectoryH5(std::filesystem::path path, double every, Provenance provenance)
@@ -299,6 +237,23 @@ TrajectoryH5::~TrajectoryH5() = default;
 
 void TrajectoryH5::begin(const Scene& scene, const RunInfo& info) {
     naming_the_file(path_, [&] { file_ = std::make_unique<File>(path_, provenance_, scene, info); });
+}
+
+void TrajectoryH5::save(Checkpoint& checkpoint) {
+    naming_the_file(path_, [&] { file_->save(checkpoint); });
+}
+
+void TrajectoryH5::resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) {
+    std::filesystem::path part = path_;
+    part += ".part";
+    naming_the_file(part, [&] {
+        file_ = std::make_unique<File>(part, provenance_, scene, info);
+        PlacedFrames frames(path_, saved, scene.grains.x.size(), file_->moving_walls());
+        for (std::int64_t f = 0; f < frames.frames(); ++f) file_->append(frames.next());
+    });
+    require(static_cast<std::int64_t>(file_->hash()) == saved.integers("hash").at(0),
+            "{}: is not the file that the checkpoint was made with; it has been changed since", path_.string());
+    put_in_place(part, path_);
 }
 
 void TrajectoryH5::sample(const Sample& sample) {

@@ -11,8 +11,10 @@ namespace polargrain {
 /// Writes trajectory.h5 in H5MD 1.1 (de Buyl, Colberg & Hoefling 2014): a frame of poses, velocities and contacts at
 /// each sample; docs/run-folder.md gives the layout.
 ///
-/// Doubles are stored with all their bits; equal runs write equal bytes. Each frame is flushed: a killed program
-/// leaves a readable file. Memory: one frame. Errors: RunError names the file.
+/// Doubles are stored with all their bits; equal runs write equal bytes, and so does a run that is resumed: it writes
+/// the file anew beside the old one, from the rows that the checkpoint knows of. Each frame is flushed. A kill between
+/// two flushes leaves a readable file; one in a flush may not, but resuming mends it. Memory: one frame. Errors:
+/// RunError names the file.
 class TrajectoryH5 : public Sink {
 public:
     /// every: interval between frames [s]. The file is created in begin().
@@ -21,6 +23,8 @@ public:
 
     double every() const override { return every_; }
     void begin(const Scene& scene, const RunInfo& info) override;
+    void save(Checkpoint& checkpoint) override;
+    void resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) override;
     void sample(const Sample& sample) override;
     void end() override;
 

@@ -14,4 +14,7 @@ inline constexpr const char* k_materials = "/polargrain/materials";
 inline constexpr const char* k_walls = "/polargrain/walls";
 inline constexpr const char* k_contacts = "/polargrain/contacts";
 
+/// In a checkpoint: where the chunks of each dataset stand.
+inline constexpr const char* k_places = "places";
+
 }  // namespace polargrain::layout

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/core/error.h"
+#include "src/run/saved_state.h"
 #include "src/run/time_step.h"
 
 namespace polargrain {
@@ -25,6 +26,32 @@ double largest_outer_radius(const Scene& scene) {
     return largest;
 }
 
+/// Settling in progress.
+struct Settling {
+    World world;
+    std::int64_t quiet = 0;  // steps in a row below the threshold
+};
+
+void keep(const LoopControl& control, const Settling& now, const Engine& engine) {
+    if (!control.keep) return;
+    Checkpoint motion, memory, all;
+    save_motion(motion, now.world.grains);
+    engine.save(memory);
+    all.put("clock", std::vector<std::int64_t>{now.world.step, now.quiet});
+    all.put_part("motion", motion);
+    all.put_part("engine", memory);
+    control.keep(all);
+}
+
+void load(const Checkpoint& saved, double dt, Settling& now, Engine& engine) {
+    const auto& clock = saved.integers("clock");
+    now.world.step = clock.at(0);
+    now.world.time = static_cast<double>(now.world.step) * dt;
+    now.quiet = clock.at(1);
+    load_motion(saved.part("motion"), now.world.grains);
+    engine.load(saved.part("engine"));
+}
+
 }  // namespace
 
 double rest_energy(const Scene& scene, const Grains& grains) {
@@ -37,28 +64,36 @@ double rest_energy(const Scene& scene, const Grains& grains) {
 }
 
 Settled settle(const Scene& scene, const SettleSettings& settings, double dt, const EngineFactory& make_engine,
-               const LoopControl& control) {
+               const LoopControl& control, const Checkpoint* saved) {
     const double g = std::sqrt(scene.gravity.squaredNorm());
     require(g > 0.0, "[settle]: nothing comes to rest without gravity: leave the table out, or set run.gravity");
     const Scene still = with_still_walls(scene);
     const std::unique_ptr<Engine> engine = make_engine(still);
-    World world = initial_world(still);
+    Settling now{initial_world(still), 0};
+    if (saved != nullptr) load(*saved, dt, now, *engine);
     StepReport report;
     const std::int64_t steps = step_count(settings.at_most, dt);
     const std::int64_t quiet_needed = step_count(std::sqrt(2.0 * largest_outer_radius(scene) / g), dt);
-    std::int64_t quiet = 0;
-    ProgressMeter meter(control, steps, dt);
-    while (world.step < steps && quiet < quiet_needed && !control.stop_requested()) {
-        engine->step(world, dt, report);
-        quiet = rest_energy(still, world.grains) < settings.until_energy ? quiet + 1 : 0;
-        meter.after_step(world.step);
+    keep(control, now, *engine);
+    CheckpointClock checkpoints(control);
+    ProgressMeter meter(control, now.world.step, steps, dt);
+    while (now.world.step < steps && now.quiet < quiet_needed && !control.stop_requested()) {
+        engine->step(now.world, dt, report);
+        now.quiet = rest_energy(still, now.world.grains) < settings.until_energy ? now.quiet + 1 : 0;
+        if (checkpoints.due()) {
+            keep(control, now, *engine);
+            checkpoints.kept();
+        }
+        meter.after_step(now.world.step);
     }
     Settled settled;
     engine->save(settled.engine);
-    settled.time = world.time;
-    settled.energy = rest_energy(still, world.grains);
-    settled.at_rest = quiet >= quiet_needed;
-    settled.grains = std::move(world.grains);
+    settled.time = now.world.time;
+    settled.energy = rest_energy(still, now.world.grains);
+    settled.at_rest = now.quiet >= quiet_needed;
+    settled.stopped = !settled.at_rest && now.world.step < steps;
+    if (settled.stopped) keep(control, now, *engine);
+    settled.grains = std::move(now.world.grains);
     return settled;
 }
 

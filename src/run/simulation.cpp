@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/core/error.h"
+#include "src/run/saved_state.h"
 #include "src/run/time_step.h"
 
 namespace polargrain {
@@ -14,6 +15,8 @@ namespace {
 std::int64_t multiples_until(double time, double every, double dt) {
     return static_cast<std::int64_t>(std::floor((time + 1e-6 * dt) / every));
 }
+
+std::string sink_key(std::size_t sink) { return fmt::format("sinks/{}", sink); }
 
 }  // namespace
 
@@ -43,16 +46,70 @@ Simulation::Simulation(const Scene& scene, Engine& engine, RunInfo info)
 }
 
 Ending Simulation::run(const LoopControl& control) {
-    const std::int64_t steps = step_count(info_.duration, info_.dt);
     begin();
-    ProgressMeter meter(control, steps, info_.dt);
+    return loop(control);
+}
+
+Ending Simulation::resume(const Checkpoint& saved, const LoopControl& control) {
+    load(saved);
+    return loop(control);
+}
+
+Ending Simulation::loop(const LoopControl& control) {
+    const std::int64_t steps = step_count(info_.duration, info_.dt);
+    keep(control);
+    CheckpointClock checkpoints(control);
+    ProgressMeter meter(control, state_.world.step, steps, info_.dt);
     while (state_.world.step < steps && !control.stop_requested()) {
         step();
         serve_due_sinks();
+        if (checkpoints.due()) {
+            keep(control);
+            checkpoints.kept();
+        }
         meter.after_step(state_.world.step);
     }
+    keep(control);
     finish();
     return state_.world.step < steps ? Ending::interrupted : Ending::completed;
+}
+
+void Simulation::keep(const LoopControl& control) {
+    if (!control.keep) return;
+    Checkpoint motion, totals, report, engine, all;
+    save_motion(motion, state_.world.grains);
+    save(totals, state_.totals);
+    save(report, report_);
+    engine_.save(engine);
+    all.put("step", std::vector{state_.world.step});
+    all.put("next_sample", state_.next_sample);
+    all.put("last_sampled", last_sampled_);
+    all.put_part("motion", motion);
+    all.put_part("totals", totals);
+    all.put_part("report", report);
+    all.put_part("engine", engine);
+    for (std::size_t k = 0; k < sinks_.size(); ++k) {
+        Checkpoint sink;
+        sinks_[k]->save(sink);
+        all.put_part(sink_key(k), sink);
+    }
+    control.keep(all);
+}
+
+void Simulation::load(const Checkpoint& saved) {
+    state_.world.step = saved.integers("step").at(0);
+    state_.world.time = static_cast<double>(state_.world.step) * info_.dt;
+    state_.next_sample = saved.integers("next_sample");
+    last_sampled_ = saved.integers("last_sampled");
+    if (state_.next_sample.size() != sinks_.size() || last_sampled_.size() != sinks_.size()) {
+        throw RunError(fmt::format("the checkpoint is of a run with {} outputs, this one has {}",
+                                   state_.next_sample.size(), sinks_.size()));
+    }
+    load_motion(saved.part("motion"), state_.world.grains);
+    polargrain::load(saved.part("totals"), state_.totals);
+    polargrain::load(saved.part("report"), report_);
+    engine_.load(saved.part("engine"));
+    for (std::size_t k = 0; k < sinks_.size(); ++k) sinks_[k]->resume(scene_, info_, saved.part(sink_key(k)));
 }
 
 void Simulation::begin() {

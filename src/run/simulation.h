@@ -40,12 +40,22 @@ public:
     /// Runs to the first step at or after the duration, or until stopped; a stop is obeyed between two steps. Either
     /// way the sinks receive a last sample, exactly once, and are ended. What an engine or a sink throws passes
     /// through; samples until then have been handed over.
+    ///
+    /// control.keep receives a checkpoint before the first step, now and then, and before the last sample: from that
+    /// one a longer run goes on as if it had never ended.
     Ending run(const LoopControl& control);
+
+    /// As run, from a checkpoint that a run of the same scene, engine, step and sinks has given: every later bit is
+    /// what it would have been. RunError where the checkpoint lacks something.
+    Ending resume(const Checkpoint& saved, const LoopControl& control);
 
     const RunState& state() const { return state_; }
 
 private:
     void begin();
+    void load(const Checkpoint& saved);
+    Ending loop(const LoopControl& control);
+    void keep(const LoopControl& control);
     void step();
     void serve_due_sinks();
     void finish();

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "src/model/checkpoint.h"
 #include "src/model/sample.h"
 
 namespace polargrain {
@@ -26,6 +27,15 @@ public:
     virtual double every() const = 0;
 
     virtual void begin(const Scene& scene, const RunInfo& info) = 0;
+
+    /// Puts everything that later samples depend on beside the run itself: sums, counts, places in files. What was
+    /// handed over before is on the disk when this returns.
+    virtual void save(Checkpoint& /*checkpoint*/) {}
+
+    /// In place of begin where a run goes on from a checkpoint: takes up what save has put there, and cuts off what
+    /// was written after it. Until the first call of save that follows, the same checkpoint can be gone back to again.
+    /// scene: as at time zero. InputError where what is on the disk is not what the checkpoint was made of.
+    virtual void resume(const Scene& scene, const RunInfo& info, const Checkpoint& /*saved*/) { begin(scene, info); }
 
     /// After every step, before a sample of the same instant. Keep it cheap.
     virtual void step(const World& /*world*/, double /*dt*/, const StepReport& /*report*/) {}

@@ -164,7 +164,7 @@ TEST_P(Interrupt, EndsTheRunCleanlyWithWhatWasComputedSoFar) {
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
-    EXPECT_THAT(outcome.err, HasSubstr("run long.toml -o long --force")) << "says how to repeat";
+    EXPECT_THAT(outcome.err, HasSubstr("polargrain resume long")) << "says how to go on";
     const nlohmann::json summary = summary_of(scratch_ / "long");
     EXPECT_EQ(summary.at("interrupted"), true);
     EXPECT_GT(summary.at("steps").get<long>(), 0);

@@ -1,0 +1,22 @@
+#include "src/cli/folder_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "src/core/error.h"
+
+namespace polargrain {
+
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : folder_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    require(folder_ >= 0, "{}: no such run folder", folder.string());
+    if (flock(folder_, LOCK_EX | LOCK_NB) == 0) return;
+    close(folder_);
+    throw InputError(
+        fmt::format("{}: another polargrain is running in this folder; wait for it, or stop it", folder.string()));
+}
+
+FolderLock::~FolderLock() { close(folder_); }
+
+}  // namespace polargrain

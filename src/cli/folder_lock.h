@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+namespace polargrain {
+
+/// Keeps a folder for this program as long as it lives, and no longer however it ends: a lock of the system, no file.
+class FolderLock {
+public:
+    /// InputError where another program holds it.
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+    int folder_;
+};
+
+}  // namespace polargrain

@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include "src/cli/commands.h"
+#include "src/cli/prepared_run.h"
+#include "src/cli/run_session.h"
+#include "src/core/error.h"
+
+namespace polargrain {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// None where the run was killed before it had written its first.
+std::optional<LabelledCheckpoint> last_checkpoint(const RunSession& session) {
+    if (!fs::exists(session.checkpoint_file())) return std::nullopt;
+    return read_checkpoint(session.checkpoint_file());
+}
+
+void print_where(const RunSession& session, const std::optional<LabelledCheckpoint>& saved, double duration) {
+    const std::string folder = session.folder.string();
+    if (!saved) {
+        fmt::print("{}: no checkpoint yet; the run starts from its beginning\n", folder);
+    } else if (time_reached(*saved) < 0.0) {
+        fmt::print("{}: carried on while the grains settle\n", folder);
+    } else {
+        fmt::print("{}: carried on from t = {:.6g} of {:.6g} s\n", folder, time_reached(*saved), duration);
+    }
+}
+
+}  // namespace
+
+int resume_command(const ResumeRequest& request) {
+    const RunSession session{request.folder, request.program, request.quiet};
+    require(fs::is_regular_file(session.scenario_file()),
+            "{}: is no run folder, there is no scenario.toml in it; give a folder that polargrain run has made",
+            request.folder.string());
+    const std::optional<LabelledCheckpoint> saved = last_checkpoint(session);
+    ScenarioOverrides overrides;
+    if (request.until) {
+        require(!saved || *request.until >= time_reached(*saved),
+                "--until {}: the run is at t = {} s already; give a later time", *request.until,
+                saved ? time_reached(*saved) : 0.0);
+        overrides.set.push_back(fmt::format("run.duration={:.17g}", *request.until));
+    }
+    PreparedRun run = prepare_run(session.scenario_file().string(), overrides);
+    if (!request.quiet) print_where(session, saved, run.scenario.run.duration);
+    try {
+        return run_session(session, run, saved ? &*saved : nullptr);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw RunError(
+            fmt::format("{}\nto carry the run on from its last checkpoint: {}", error.what(), session.resume_line()));
+    }
+}
+
+}  // namespace polargrain
