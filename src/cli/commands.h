@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scenarios/reader.h"
 
@@ -48,7 +49,17 @@ struct ShapeRequest {
 };
 int shape_command(const ShapeRequest& request);
 
-/// what: "scenarios", "shapes", "engines", or empty for all three.
+struct VerifyRequest {
+    std::vector<std::string> scenarios;  ///< files, or names of shipped ones
+    ScenarioOverrides overrides;
+    std::optional<std::filesystem::path> folder;  ///< where the run folders go; none: they are not kept
+    int seeds = 1;                                ///< runs of each scenario, with its seed and those that follow
+    bool force = false;
+    std::string command_line;
+};
+int verify_command(const VerifyRequest& request);
+
+/// what: "scenarios", "shapes", "engines", "observables", or empty for all four.
 int list_command(const std::string& what);
 
 struct SheetRequest {

@@ -90,6 +90,25 @@ void add_check(CLI::App& app, CheckRequest& request, Action& action) {
     command->callback([&] { action = [&] { return check_command(request); }; });
 }
 
+void add_verify(CLI::App& app, VerifyRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("verify", "run scenarios and hold them to their own [[expect]] entries");
+    command->add_option("SCENARIO", request.scenarios, "scenario files, or names of shipped ones")->required();
+    command->add_option("-o,--output", request.folder, "keep the run folders, and verify.csv, in this folder")
+        ->type_name("DIR");
+    command->add_option("--seeds", request.seeds, "runs of each, with its seed and those that follow; default 1")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000));
+    add_overrides(*command, request.overrides);
+    command->add_flag("--force", request.force, "replace the runs that are in the folder");
+    command->footer(
+        "Examples:\n"
+        "  polargrain verify domino-opalene\n"
+        "  polargrain verify drum silo -o out/verified --seeds 4    (mean +- standard deviation of a run)\n"
+        "  polargrain verify my.toml --engine contact-1994\n"
+        "The exit code is 1 if anything falls short. polargrain list observables tells what can be expected.");
+    command->callback([&] { action = [&] { return verify_command(request); }; });
+}
+
 void add_shape(CLI::App& app, ShapeRequest& request, Action& action) {
     CLI::App* command = app.add_subcommand("shape", "measure an outline and draw it with its polar sectors");
     command->add_option("SHAPE", request.shape, "outline file, or the name of a shipped one")->required();
@@ -104,8 +123,8 @@ void add_shape(CLI::App& app, ShapeRequest& request, Action& action) {
 
 void add_list(CLI::App& app, std::string& what, Action& action) {
     CLI::App* command = app.add_subcommand("list", "what is at hand, a line each");
-    command->add_option("WHAT", what, "scenarios, shapes or engines; all three if left out")
-        ->check(CLI::IsMember({"scenarios", "shapes", "engines"}));
+    command->add_option("WHAT", what, "scenarios, shapes, engines or observables; all four if left out")
+        ->check(CLI::IsMember({"scenarios", "shapes", "engines", "observables"}));
     command->footer(
         "Examples:\n"
         "  polargrain list\n"
@@ -192,15 +211,17 @@ int run_program(int argc, const char* const* argv) {
     RunRequest run;
     ResumeRequest resume;
     CheckRequest check;
+    VerifyRequest verify;
     ShapeRequest shape;
     SheetRequest sheet;
     std::string what;
     Action action;
-    run.command_line = command_line({argv, static_cast<std::size_t>(argc)});
+    run.command_line = verify.command_line = command_line({argv, static_cast<std::size_t>(argc)});
     run.program = resume.program = argv[0];
     add_run(app, run, action);
     add_resume(app, resume, action);
     add_check(app, check, action);
+    add_verify(app, verify, action);
     add_shape(app, shape, action);
     add_list(app, what, action);
     add_sheet(app, sheet, action);

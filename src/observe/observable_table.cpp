@@ -14,21 +14,21 @@ const std::vector<ObservableEntry>& table() {
     static const std::vector<ObservableEntry> entries = {
         {"domino_speed", domino_speed, 0, 0, true, "speed of a toppling wave over its steady second half"},
 
-        {"grains_out", number, 0, 0, true, "grains that are below the lowest wall"},
+        {"grains_out", count, 0, 0, true, "grains that are below the lowest wall"},
         {"discharge_rate", rate, 0, 0, true, "grains_out over the time simulated"},
-        {"grains_passed", number, 0, k_opening | k_kind, false, "grains that have passed an opening since time zero"},
+        {"grains_passed", count, 0, k_opening | k_kind, false, "grains that have passed an opening since time zero"},
         {"grain_flow", rate, 0, k_opening | k_kind, false, "grains that pass an opening per time"},
         {"flow_rate", area_rate, 0, k_opening | k_kind, false, "area of grains that passes an opening per time"},
-        {"bridges", number, k_opening, 0, false, "bridges over an opening since time zero"},
+        {"bridges", count, k_opening, 0, false, "bridges over an opening since time zero"},
         {"bridge_life", time, k_opening, 0, false, "mean life of the bridges over an opening"},
         {"bridge_time_share", number, k_opening, 0, false, "share of the time during which a bridge stands"},
-        {"bridge_grains", number, k_opening, 0, false, "grains in the bridge that stands over an opening"},
+        {"bridge_grains", count, k_opening, 0, false, "grains in the bridge that stands over an opening"},
 
         {"area_fraction", number, 0, 0, true, "area of the grains over the area under their surface"},
         {"potential_over_hexagonal", number, 0, 0, true, "potential energy over that of a hexagonal packing"},
         {"angle_of_repose", angle, 0, k_region, false, "slope of the free surface, without its sign"},
         {"surface_slope", angle, 0, k_region, false, "slope of the free surface, positive where it rises to the right"},
-        {"coordination_number", number, 0, k_region, true, "grains and walls that a grain touches"},
+        {"coordination_number", count, 0, k_region, true, "grains and walls that a grain touches"},
         {"fabric_anisotropy", number, 0, k_region, false, "how unevenly contact directions are distributed"},
         {"fabric_direction", angle, 0, k_region, false, "direction in which most contacts point"},
         {"orientation_order", number, 0, k_region | k_kind, false, "nematic order S of the long axes"},
@@ -48,9 +48,9 @@ const std::vector<ObservableEntry>& table() {
         {"stress_pressure", pressure, k_region, 0, false, "half the trace of the contact stress in a region"},
         {"wall_pressure", pressure, k_wall, k_region, false, "normal force of the grains on a wall over its length"},
         {"wall_weight_share", number, k_wall, k_region, false, "share of the grains' weight that a wall carries"},
-        {"force_chains", number, 0, 0, false, "force chains of at least three grains"},
+        {"force_chains", count, 0, 0, false, "force chains of at least three grains"},
         {"force_chain_share", number, 0, 0, false, "share of the normal force between grains that chains carry"},
-        {"force_chain_length", number, 0, 0, false, "mean number of grains in a force chain"},
+        {"force_chain_length", count, 0, 0, false, "mean number of grains in a force chain"},
 
         {"mixing_index", number, k_kind, k_cell | k_region, false, "Lacey's index: 0 apart, 1 mixed at random"},
         {"share_in_region", number, k_region, k_kind, false, "share of some grains that lies in a region"},
@@ -60,7 +60,7 @@ const std::vector<ObservableEntry>& table() {
         {"deepest_overlap", length, 0, 0, true, "deepest overlap of any two bodies since time zero"},
         {"moves_rejected_percent", percent, 0, 0, true, "trial moves rejected since time zero"},
         {"energy_created_ratio", number, 0, 0, true, "energy that the method itself made, over E0"},
-        {"mean_contacts", number, 0, 0, true, "contacts, mean over the steps"},
+        {"mean_contacts", count, 0, 0, true, "contacts, mean over the steps"},
     };
     return entries;
 }

@@ -41,8 +41,10 @@ struct Unit {
 constexpr std::array k_units{
     Unit{Dimension::number, "1", one},
     Unit{Dimension::number, "-", one},
-    Unit{Dimension::number, "grains", one},
     Unit{Dimension::number, "%", hundredth},
+    Unit{Dimension::count, "1", one},
+    Unit{Dimension::count, "-", one},
+    Unit{Dimension::count, "grains", one},
     Unit{Dimension::percent, "%", one},
     Unit{Dimension::percent, "1", hundred},
     Unit{Dimension::percent, "-", hundred},

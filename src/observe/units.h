@@ -11,7 +11,8 @@ namespace polargrain {
 
 /// What kind of number an observable is; decides which units it takes.
 enum class Dimension : std::uint8_t {
-    number,  ///< a ratio or a count
+    number,  ///< a ratio
+    count,
     percent,
     length,
     time,
