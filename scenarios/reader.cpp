@@ -34,7 +34,7 @@ Scenario load_scenario(const std::filesystem::path& path, const ScenarioOverride
     read_settle(reading);
     read_grain_groups(reading, shapes);
     keep_engine_table(reading, "dem");
-    keep_engine_table(reading, "box2d");
+    read_box2d(reading);
     read_output(reading);
     read_expectations(reading);
     top.finish();

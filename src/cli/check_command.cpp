@@ -36,7 +36,7 @@ void print_estimate(const Scenario& scenario, double dt) {
 int check_command(const CheckRequest& request) {
     const PreparedRun run = prepare_run(request.scenario, request.overrides);
     warn_of_large_step(run.time_step);
-    print_plan(run.scenario, run.time_step);
+    print_plan(run.scenario, run.time_step, run.notes);
     print_estimate(run.scenario, run.time_step.dt);
     return k_exit_done;
 }

@@ -4,17 +4,21 @@
 #include <array>
 
 #include "src/core/error.h"
+#include "src/engines/box2d/box2d_engine.h"
 #include "src/engines/contact/contact_1994.h"
 #include "src/engines/contact/contact_engine.h"
 
 namespace polargrain {
 
 std::span<const EngineEntry> engine_table() {
-    static const std::array<EngineEntry, 2> table{
+    static const std::array table{
         EngineEntry{"contact", "the refined contact engine: dense beds that are right, and nothing overlaps",
                     [](const Scene& scene, const EngineSettings&) { return make_contact(scene); }, 2.5e-6},
         EngineEntry{"contact-1994", "the contact model of Hogue & Newland 1994, to the letter",
                     [](const Scene& scene, const EngineSettings&) { return make_contact_1994(scene); }, 2e-6},
+        EngineEntry{
+            "box2d", "Box2D 2.4, a games engine: outlines cut into convex pieces",
+            [](const Scene& scene, const EngineSettings& settings) { return make_box2d(scene, settings.box2d); }, 3e-6},
     };
     return table;
 }

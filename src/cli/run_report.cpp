@@ -16,7 +16,7 @@ double ratio(double a, double b) { return b > 0.0 ? a / b : 0.0; }
 
 }  // namespace
 
-void print_plan(const Scenario& scenario, const TimeStep& time_step) {
+void print_plan(const Scenario& scenario, const TimeStep& time_step, const std::vector<std::string>& notes) {
     const Scene& scene = scenario.scene;
     int pieces = 0;
     for (const Wall& wall : scene.walls) pieces += wall.segments();
@@ -28,6 +28,7 @@ void print_plan(const Scenario& scenario, const TimeStep& time_step) {
     if (scenario.settle) fmt::print("  settling   {:.4g} s at most, before time zero\n", scenario.settle->at_most);
     fmt::print("  duration   {:.6g} s, {} steps\n", scenario.run.duration,
                step_count(scenario.run.duration, time_step.dt));
+    for (const std::string& note : notes) fmt::print("  note       {}\n", note);
 }
 
 void warn_of_large_step(const TimeStep& time_step) {

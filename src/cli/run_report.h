@@ -15,8 +15,9 @@ struct RunCost {
     double wall_seconds = 0.0;
 };
 
-/// What will run, in a few lines: grains, walls, shapes, time step and where it comes from, steps.
-void print_plan(const Scenario& scenario, const TimeStep& time_step);
+/// What will run, in a few lines: grains, walls, shapes, time step and where it comes from, steps; then what the engine
+/// leaves out of it.
+void print_plan(const Scenario& scenario, const TimeStep& time_step, const std::vector<std::string>& notes);
 
 /// A warning on standard error where the step is larger than the engine vouches for.
 void warn_of_large_step(const TimeStep& time_step);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "src/model/scene.h"
 #include "src/run/sink.h"
@@ -17,6 +18,7 @@ struct Summary {
     std::string engine;
     std::string version;
     std::string build_flags;
+    std::vector<std::string> notes;  ///< what the engine leaves out or replaces of the scenario
     std::uint64_t seed = 0;
     int threads = 1;
     bool completed = true;  ///< false: interrupted before its duration was over

@@ -54,7 +54,6 @@ TEST(CommandLine, MistakesEndWithTwoAndAHint) {
         {{"run", "fig9", "--threads", "0"}, "threads"},
         {{"run", "domino-opalen"}, "domino-opalene"},
         {{"run", "fig9", "--engine", "contact-1995"}, "contact-1994"},
-        {{"run", "fig9", "--engine", "box2d"}, "contact-1994"},
         {{"run", "fig9", "--set", "run.duraton=1"}, "duration"},
         {{"run", "fig9", "--set", "run.duration"}, "run.duration"},
         {{"check", "absent.toml"}, "absent.toml"},

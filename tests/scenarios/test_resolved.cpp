@@ -155,7 +155,6 @@ model = "hertz"
 stiffness = 1e6
 steps = 7
 "odd key" = [true, { deep = "a \"quoted\" \u0007 word" }]
-[box2d]
 )");
     EXPECT_THAT(scenario.resolved_toml, HasSubstr("[dem]\n"));
     EXPECT_THAT(scenario.resolved_toml, HasSubstr("model = \"hertz\"\n"));
@@ -163,6 +162,18 @@ steps = 7
     EXPECT_THAT(scenario.resolved_toml,
                 HasSubstr("\"odd key\" = [true, { deep = \"a \\\"quoted\\\" \\u0007 word\" }]\n"));
     EXPECT_EQ(load_text(scenario.resolved_toml).resolved_toml, scenario.resolved_toml);
+}
+
+TEST(Resolved, HasTheTableOfBox2dWhereItMatters) {
+    EXPECT_THAT(load_text(small_scenario()).resolved_toml, Not(HasSubstr("[box2d]")));
+    const Scenario scenario = load_text(small_scenario() + "[box2d]\nskin = 0.01\nunit = 0.25\n");
+    EXPECT_EQ(scenario.engines.box2d.skin, 0.01);
+    EXPECT_EQ(scenario.engines.box2d.unit, 0.25);
+    EXPECT_EQ(scenario.engines.box2d.restitution_threshold, std::nullopt);
+    EXPECT_THAT(scenario.resolved_toml, HasSubstr("[box2d]\nvelocity_iterations = 8\n"));
+    EXPECT_EQ(load_text(scenario.resolved_toml).resolved_toml, scenario.resolved_toml);
+    EXPECT_THAT(load_text(small_scenario(), {.set = {}, .engine = "box2d"}).resolved_toml,
+                HasSubstr("continuous = false\n"));
 }
 
 }  // namespace
