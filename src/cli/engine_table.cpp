@@ -7,6 +7,7 @@
 #include "src/engines/box2d/box2d_engine.h"
 #include "src/engines/contact/contact_1994.h"
 #include "src/engines/contact/contact_engine.h"
+#include "src/engines/dem/dem_engine.h"
 
 namespace polargrain {
 
@@ -19,6 +20,9 @@ std::span<const EngineEntry> engine_table() {
         EngineEntry{
             "box2d", "Box2D 2.4, a games engine: outlines cut into convex pieces",
             [](const Scene& scene, const EngineSettings& settings) { return make_box2d(scene, settings.box2d); }, 3e-6},
+        EngineEntry{"dem", "soft spheres on real shapes: overlapping, springy contacts in many small steps",
+                    [](const Scene& scene, const EngineSettings& settings) { return make_dem(scene, settings.dem); },
+                    1e-6},
     };
     return table;
 }

@@ -24,6 +24,9 @@ public:
     /// Largest time step [s] that the engine vouches for in this scene; infinite where nothing can move.
     virtual double suggested_dt() const = 0;
 
+    /// Number of parts that the engine cuts a step of dt [s] into; each costs about as much.
+    virtual double parts_of_step(double /*dt*/) const { return 1.0; }
+
     /// Takes the world from time t to t + dt: poses, velocities, step and time (= step x dt). Fills the report.
     virtual void step(World& world, double dt, StepReport& report) = 0;
 

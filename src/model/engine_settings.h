@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "src/model/dem_settings.h"
+
 namespace polargrain {
 
 /// What the table [box2d] of a scenario says; docs/box2d.md explains each.
@@ -18,6 +20,7 @@ struct Box2dSettings {
 /// The parameters of all engines; each takes its own.
 struct EngineSettings {
     Box2dSettings box2d;
+    DemSettings dem;
 };
 
 }  // namespace polargrain

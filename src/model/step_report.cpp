@@ -7,6 +7,7 @@ EnergyLedger& EnergyLedger::operator+=(const EnergyLedger& other) {
     friction_loss += other.friction_loss;
     wall_work += other.wall_work;
     correction += other.correction;
+    stored += other.stored;
     created += other.created;
     rises += other.rises;
     return *this;

@@ -10,7 +10,7 @@ namespace polargrain {
 
 /// Where energy went during a step, per metre of depth [J/m]. Losses and work count positive as named.
 ///
-/// energy(after) - energy(before) = wall_work + correction + created - restitution_loss - friction_loss
+/// energy(after) - energy(before) = wall_work + correction + created - restitution_loss - friction_loss - stored
 struct EnergyLedger {
     double restitution_loss = 0.0;  ///< taken by the normal impulses
     double friction_loss = 0.0;     ///< taken by the tangential impulses
@@ -19,7 +19,8 @@ struct EnergyLedger {
     /// Energy that the method itself makes (or destroys, if negative), such as gravity work of moves that were
     /// rejected: what closes the ledger. A perfect method has zero here.
     double created = 0.0;
-    double rises = 0.0;  ///< energy made without a cause in the step, never negative: the honesty meter
+    double rises = 0.0;   ///< energy made without a cause in the step, never negative: the honesty meter
+    double stored = 0.0;  ///< put into springs at contacts; negative: given back
 
     EnergyLedger& operator+=(const EnergyLedger& other);
 };

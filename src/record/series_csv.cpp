@@ -14,7 +14,7 @@ namespace {
 constexpr const char* k_columns =
     "time,step,kinetic_translational,kinetic_rotational,potential,dissipated_normal,dissipated_friction,wall_work,"
     "contacts,impacts,moves_rejected,moves_shortened,centre_of_mass_x,centre_of_mass_y,grains_in,grains_out,"
-    "energy_correction,energy_created,energy_rises,moves_tried";
+    "energy_correction,energy_created,energy_rises,moves_tried,energy_stored";
 
 }  // namespace
 
@@ -79,11 +79,11 @@ void SeriesCsv::sample(const Sample& sample) {
     const Vec2 centre = centre_of_mass(sample.world.grains);
     const GrainIndex out = count_out(sample.scene, sample.world.grains);
     std::string row = fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", sample.world.time, sample.world.step,
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", sample.world.time, sample.world.step,
         now.translational, now.rotational, now.potential, totals.ledger.restitution_loss, totals.ledger.friction_loss,
         totals.ledger.wall_work, sample.report.contacts.size(), totals.impacts, totals.moves.rejected,
         totals.moves.shortened, centre.x(), centre.y(), sample.world.grains.size() - out, out, totals.ledger.correction,
-        totals.ledger.created, totals.ledger.rises, totals.moves.tried);
+        totals.ledger.created, totals.ledger.rises, totals.moves.tried, totals.ledger.stored);
     append_walls(row);
     for (Observer& observer : observers_) fmt::format_to(std::back_inserter(row), ",{}", observer.read(sample));
     file_->write(row + '\n');

@@ -26,8 +26,8 @@ Json parts_of(const Energy& energy) {
 
 Json ledger_of(const Summary& summary) {
     const EnergyLedger& ledger = summary.totals.ledger;
-    const double booked =
-        ledger.wall_work + ledger.correction + ledger.created - ledger.restitution_loss - ledger.friction_loss;
+    const double booked = ledger.wall_work + ledger.correction + ledger.created - ledger.restitution_loss -
+                          ledger.friction_loss - ledger.stored;
     return {{"initial", parts_of(summary.initial)},
             {"final", parts_of(summary.final_energy)},
             {"dissipated_normal", ledger.restitution_loss},
@@ -36,6 +36,7 @@ Json ledger_of(const Summary& summary) {
             {"correction", ledger.correction},
             {"created", ledger.created},
             {"rises", ledger.rises},
+            {"stored", ledger.stored},
             {"unaccounted", summary.final_energy.total() - summary.initial.total() - booked}};
 }
 

@@ -20,11 +20,11 @@ auto motion_arrays(GrainsType& g) {
 }
 
 std::vector<double> ledger_reals(const EnergyLedger& l) {
-    return {l.restitution_loss, l.friction_loss, l.wall_work, l.correction, l.created, l.rises};
+    return {l.restitution_loss, l.friction_loss, l.wall_work, l.correction, l.created, l.rises, l.stored};
 }
 
 EnergyLedger ledger_from(const std::vector<double>& v) {
-    return {v.at(0), v.at(1), v.at(2), v.at(3), v.at(4), v.at(5)};
+    return {v.at(0), v.at(1), v.at(2), v.at(3), v.at(4), v.at(5), v.at(6)};
 }
 
 std::vector<std::int64_t> counts_of(const MoveCount& moves) { return {moves.tried, moves.shortened, moves.rejected}; }

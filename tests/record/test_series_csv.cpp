@@ -4,8 +4,8 @@
 #include <map>
 
 #include "src/core/error.h"
-#include "src/record/series_csv.h"
 #include "src/observe/bed.h"
+#include "src/record/series_csv.h"
 #include "tests/record/small_scene.h"
 
 namespace polargrain {
@@ -73,8 +73,8 @@ TEST(SeriesCsv, ColumnsStandInTheOrderOfTheContract) {
     EXPECT_EQ(header,
               "time step kinetic_translational kinetic_rotational potential dissipated_normal dissipated_friction "
               "wall_work contacts impacts moves_rejected moves_shortened centre_of_mass_x centre_of_mass_y grains_in "
-              "grains_out energy_correction energy_created energy_rises moves_tried wall_floor_fx wall_floor_fy "
-              "wall_floor_torque wall_shaker_fx "
+              "grains_out energy_correction energy_created energy_rises moves_tried energy_stored wall_floor_fx "
+              "wall_floor_fy wall_floor_torque wall_shaker_fx "
               "wall_shaker_fy wall_shaker_torque wall_paddle_fx wall_paddle_fy wall_paddle_torque wall_gate_fx "
               "wall_gate_fy wall_gate_torque ");
 }

@@ -16,7 +16,7 @@ void Running::step(double dt) {
     engine->step(world, dt, report);
     const EnergyLedger& l = report.ledger;
     const double after = total_energy();
-    const double explained = l.wall_work + l.correction + l.created - l.restitution_loss - l.friction_loss;
+    const double explained = l.wall_work + l.correction + l.created - l.restitution_loss - l.friction_loss - l.stored;
     ledger_error = std::max(ledger_error, std::abs(after - energy_before_ - explained));
     energy_before_ = after;
     moves += report.moves;

@@ -1,0 +1,80 @@
+#include "src/engines/dem/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polargrain {
+
+Candidates::Candidates(const Scene& scene, const DemSettings& settings) : finder_(settings.search) {
+    const double share = settings.search == PairSearch::verlet ? settings.skin : 0.0;
+    least_margin_ = std::numeric_limits<double>::infinity();
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+        radii_.push_back(outer_radius(scene.shape_of(k)));
+        margin_.push_back(share * radii_.back());
+        least_margin_ = std::min(least_margin_, margin_.back());
+    }
+}
+
+void Candidates::update(std::span<const double> x, const SoftWalls& walls) {
+    if (!still_good(x, walls)) rebuild(x, walls);
+}
+
+// Each grain of a listed pair has its own margin, so each may use up all of it; against a moving wall the grain and the
+// wall share the grain's.
+bool Candidates::still_good(std::span<const double> x, const SoftWalls& walls) const {
+    if (!built_) return false;
+    double wall_way = 0.0;
+    if (walls.any_moves()) {
+        for (std::size_t k = 0; k < walls.pieces().size(); ++k) {
+            const SoftPiece& piece = walls.pieces()[k];
+            wall_way = std::max(
+                {wall_way, (piece.a - walls_at_[2 * k]).squaredNorm(), (piece.b - walls_at_[2 * k + 1]).squaredNorm()});
+        }
+        wall_way = std::sqrt(wall_way);
+        if (wall_way >= least_margin_) return false;
+    }
+    for (std::size_t k = 0; k < margin_.size(); ++k) {
+        const double dx = x[3 * k] - built_at_[2 * k];
+        const double dy = x[3 * k + 1] - built_at_[2 * k + 1];
+        const double margin = margin_[k] - wall_way;
+        if (dx * dx + dy * dy >= margin * margin) return false;
+    }
+    return true;
+}
+
+void Candidates::rebuild(std::span<const double> x, const SoftWalls& walls) {
+    built_ = true;
+    built_at_.clear();
+    circles_.clear();
+    for (std::size_t k = 0; k < margin_.size(); ++k) {
+        built_at_.insert(built_at_.end(), {x[3 * k], x[3 * k + 1]});
+        circles_.push_back({{x[3 * k], x[3 * k + 1]}, radii_[k] + margin_[k]});
+    }
+    finder_.find_pairs(circles_, pairs_);
+
+    walls_at_.clear();
+    at_walls_.clear();
+    const std::vector<SoftPiece>& pieces = walls.pieces();
+    for (const SoftPiece& piece : pieces) walls_at_.insert(walls_at_.end(), {piece.a, piece.b});
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        for (std::size_t k = 0; k < circles_.size(); ++k) {
+            const Vec2 from = circles_[k].centre - pieces[p].a;
+            const double reach = circles_[k].radius;
+            const double station = pieces[p].along.dot(from);
+            if (std::abs(cross(pieces[p].along, from)) >= reach || station <= -reach ||
+                station >= pieces[p].length + reach) {
+                continue;
+            }
+            at_walls_.push_back({static_cast<std::int32_t>(p), static_cast<GrainIndex>(k)});
+        }
+    }
+    // Pieces stand in the order of their bodies; within a wall by grain, then by piece.
+    std::stable_sort(at_walls_.begin(), at_walls_.end(), [&pieces](const WallCandidate& c, const WallCandidate& d) {
+        const int wall_c = pieces[static_cast<std::size_t>(c.piece)].wall;
+        const int wall_d = pieces[static_cast<std::size_t>(d.piece)].wall;
+        return wall_c != wall_d ? wall_c > wall_d : c.grain < d.grain;
+    });
+}
+
+}  // namespace polargrain

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "src/engines/dem/soft_contact.h"
+#include "src/model/dem_settings.h"
+#include "src/model/scene.h"
+
+namespace polargrain {
+
+/// A soft law with the numbers of one pair of materials in one scene.
+struct PairSoftLaw {
+    SoftLaw law;
+    double stiffness = 0.0;             ///< of the normal law [N/m^(2 + b)]
+    double exponent = 0.0;              ///< b
+    double reference = 0.0;             ///< overlap at which laws of different kinds are as stiff [m]
+    double linear_stiffness = 0.0;      ///< of the normal law at the reference overlap [N/m^2]
+    double tangential_stiffness = 0.0;  ///< [N/m^2]
+    double friction = 0.0;
+};
+
+/// The laws of all pairs of materials of a scene, and how fine time must be cut for them.
+class SoftLaws {
+public:
+    /// InputError where a stiffness is asked for that does not exist (target overlap in a scene without grains is
+    /// harmless, a law for disks on polygons is not).
+    SoftLaws(const Scene& scene, const DemSettings& settings);
+
+    const PairSoftLaw& of(MaterialIndex a, MaterialIndex b) const {
+        return laws_[static_cast<std::size_t>(a) * materials_ + static_cast<std::size_t>(b)];
+    }
+
+    /// Shortest contact that the scene can have [s]; infinite without grains.
+    double shortest_contact() const { return shortest_contact_; }
+
+private:
+    PairSoftLaw resolve(const Scene& scene, const DemSettings& settings, MaterialIndex a, MaterialIndex b) const;
+    void find_shortest_contact(const Scene& scene, const DemSettings& settings);
+
+    std::size_t materials_;
+    double target_ = 0.0;          ///< target overlap of the smallest grain [m]
+    double mass_over_area_ = 0.0;  ///< largest mass over squared inner radius [kg/m^3]
+    double speed_ = 1.0;           ///< of the fastest impact [m/s]
+    double shortest_contact_ = 0.0;
+    std::vector<PairSoftLaw> laws_;
+};
+
+/// Width of the widest face of an outline [m]: how much of it can lie on a straight line at once, up to a depth of a
+/// fiftieth of its inner radius.
+double flat_width(const PolarPolygon& polygon);
+
+/// What a law keeps of the restitution e of a new contact of the given reduced mass: for touches by depth the dashpot
+/// constant [N s/m^2] of the linear law, D of dashpot = D overlap^g of the Hertz and power laws, the stiffness of
+/// unloading of Walton and Braun's [N/m^2]; for others the ratio of critical damping.
+double damping_of(const PairSoftLaw& law, double restitution, double mass, bool by_depth);
+
+/// Fills in the forces of a contact whose place and memory stand: `closing` and `sliding` are the velocities of b
+/// relative to a against the normal and along the tangent [m/s], `way` the sliding since the memory was made [m].
+void respond(const PairSoftLaw& law, const Touch& touch, double mass, double closing, double sliding, double way,
+             SoftContact& contact);
+
+}  // namespace polargrain

@@ -1,0 +1,239 @@
+#include "src/engines/dem/soft_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/engines/dem/soft_restitution.h"
+
+namespace polargrain {
+
+namespace {
+
+Vec2 place(std::span<const double> x, BodyIndex grain) {
+    const std::size_t k = 3 * Grains::at(grain);
+    return {x[k], x[k + 1]};
+}
+
+/// Velocity of the point at the arm from a grain's centre.
+Vec2 velocity_at(std::span<const double> v, BodyIndex grain, const Vec2& arm) {
+    const std::size_t k = 3 * Grains::at(grain);
+    return Vec2(v[k], v[k + 1]) + cross(v[k + 2], arm);
+}
+
+bool before(const SoftContact& c, BodyIndex a, BodyIndex b) { return c.a != a ? c.a < a : c.b < b; }
+
+}  // namespace
+
+SoftSystem::SoftSystem(const Scene& scene, const DemSettings& settings)
+    : scene_(scene), laws_(scene, settings), walls_(scene), candidates_(scene, settings), geometry_(settings) {
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+        const Shape& shape = scene.shape_of(k);
+        const bool disk = std::holds_alternative<Disk>(shape);
+        bodies_.push_back({1.0 / scene.grains.mass[Grains::at(k)], 1.0 / scene.grains.inertia[Grains::at(k)],
+                           outer_radius(shape), scene.grains.material[Grains::at(k)], disk});
+        any_polygon_ = any_polygon_ || !disk;
+    }
+    poses_.resize(bodies_.size());
+}
+
+void SoftSystem::accelerations(double time, std::span<const double> x, std::span<const double> v, std::span<double> a) {
+    time_ = time;
+    evaluated_x_.assign(x.begin(), x.end());
+    walls_.place(time);
+    candidates_.update(x, walls_);
+    place_polygons(x);
+    next_.clear();
+    recalled_.assign(contacts_.size(), 0);
+    cursor_ = 0;
+    next_turnover_ = {};
+    meet_walls(x, v);
+    meet_grains(x, v);
+    for (; cursor_ < contacts_.size(); ++cursor_) drop(cursor_);
+    sum_forces(x, a);
+}
+
+void SoftSystem::accept(double time, std::span<const double> x) {
+    contacts_.swap(next_);
+    turnover_ = next_turnover_;
+    set_accepted(time, x);
+}
+
+void SoftSystem::set_accepted(double time, std::span<const double> x) {
+    accepted_time_ = time;
+    accepted_x_.assign(x.begin(), x.end());
+}
+
+void SoftSystem::place_polygons(std::span<const double> x) {
+    if (!any_polygon_) return;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        const Vec2 centre(x[3 * k], x[3 * k + 1]);
+        if (bodies_[k].disk) {
+            poses_[k].centre = centre;
+        } else {
+            poses_[k] = Pose::at(centre, x[3 * k + 2]);
+        }
+    }
+}
+
+void SoftSystem::meet_walls(std::span<const double> x, std::span<const double> v) {
+    const std::vector<SoftPiece>& pieces = walls_.pieces();
+    for (const auto& [p, grain] : candidates_.at_walls()) {
+        const auto piece = static_cast<std::size_t>(p);
+        if (!walls_.present(pieces[piece])) continue;
+        const BodyIndex wall = wall_body(pieces[piece].wall);
+        const Body& body = bodies_[Grains::at(grain)];
+        const Vec2 centre = place(x, grain);
+        touches_.clear();
+        if (body.disk) {
+            const ChainTouch touch = touch_chain(pieces, piece, centre);
+            const Vec2 way = centre - touch.nearest;
+            const double squared = way.squaredNorm();
+            if (!touch.touches || squared >= body.radius * body.radius || !(squared > 0.0)) continue;
+            const double distance = std::sqrt(squared);
+            touches_.push_back({touch.nearest, way / distance, body.radius - distance, true, 0.0, 0.0});
+        } else {
+            const auto& polygon = std::get<PolarPolygon>(scene_.shape_of(grain));
+            geometry_.find(pieces[piece], polygon, poses_[Grains::at(grain)], law_of(wall, grain).linear_stiffness,
+                           touches_);
+        }
+        for (const Touch& touch : touches_) add_contact(wall, grain, touch, x, v);
+    }
+}
+
+void SoftSystem::meet_grains(std::span<const double> x, std::span<const double> v) {
+    for (const auto& [a, b] : candidates_.pairs()) {
+        const std::size_t i = Grains::at(a);
+        const std::size_t j = Grains::at(b);
+        const double dx = x[3 * j] - x[3 * i];
+        const double dy = x[3 * j + 1] - x[3 * i + 1];
+        const double reach = bodies_[i].radius + bodies_[j].radius;
+        const double squared = dx * dx + dy * dy;
+        if (squared >= reach * reach || !(squared > 0.0)) continue;
+        if (bodies_[i].disk && bodies_[j].disk) {
+            const double distance = std::sqrt(squared);
+            const Vec2 normal(dx / distance, dy / distance);
+            const double depth = reach - distance;
+            const Vec2 point = place(x, a) + (bodies_[i].radius - 0.5 * depth) * normal;
+            add_contact(a, b, {point, normal, depth, true, 0.0, 0.0}, x, v);
+            continue;
+        }
+        touches_.clear();
+        geometry_.find(scene_.shape_of(a), poses_[i], scene_.shape_of(b), poses_[j], law_of(a, b).linear_stiffness,
+                       touches_);
+        for (const Touch& touch : touches_) add_contact(a, b, touch, x, v);
+    }
+}
+
+const PairSoftLaw& SoftSystem::law_of(BodyIndex a, BodyIndex b) const {
+    const MaterialIndex of_a =
+        is_wall(a) ? scene_.walls[static_cast<std::size_t>(wall_index(a))].material : bodies_[Grains::at(a)].material;
+    return laws_.of(of_a, bodies_[Grains::at(b)].material);
+}
+
+/// 1 / (what a unit impulse along the normal changes the closing speed by).
+double SoftSystem::effective_mass(const SoftContact& contact, const Vec2& arm_a, const Vec2& arm_b) const {
+    const auto share = [&](BodyIndex body, const Vec2& arm) {
+        const Body& grain = bodies_[Grains::at(body)];
+        const double lever = grain.disk ? 0.0 : cross(arm, contact.normal);
+        return grain.inverse_mass + lever * lever * grain.inverse_inertia;
+    };
+    return 1.0 / (share(contact.b, arm_b) + (is_wall(contact.a) ? 0.0 : share(contact.a, arm_a)));
+}
+
+void SoftSystem::add_contact(BodyIndex a, BodyIndex b, const Touch& touch, std::span<const double> x,
+                             std::span<const double> v) {
+    SoftContact& contact = next_.emplace_back();
+    contact.a = a;
+    contact.b = b;
+    contact.point = touch.point;
+    contact.normal = touch.normal;
+    contact.depth = touch.depth;
+    const Vec2 arm_b = touch.point - place(x, b);
+    const Vec2 tangent = left_normal(touch.normal);
+    Vec2 relative = velocity_at(v, b, arm_b);
+    const std::size_t j = 3 * Grains::at(b);
+    Vec2 way = Vec2(x[j] - accepted_x_[j], x[j + 1] - accepted_x_[j + 1]) + cross(x[j + 2] - accepted_x_[j + 2], arm_b);
+    Vec2 arm_a = Vec2::Zero();
+    if (is_wall(a)) {
+        const Motion& wall = walls_.motion(wall_index(a));
+        const Vec2 wall_velocity = wall.velocity + cross(wall.spin, touch.point);
+        relative -= wall_velocity;
+        way -= (time_ - accepted_time_) * wall_velocity;
+    } else {
+        arm_a = touch.point - place(x, a);
+        relative -= velocity_at(v, a, arm_a);
+        const std::size_t i = 3 * Grains::at(a);
+        way -= Vec2(x[i] - accepted_x_[i], x[i + 1] - accepted_x_[i + 1]) + cross(x[i + 2] - accepted_x_[i + 2], arm_a);
+    }
+    const PairSoftLaw& law = law_of(a, b);
+    const double mass = effective_mass(contact, arm_a, arm_b);
+    double sliding_way = way.dot(tangent);
+    if (!recall(contact)) {
+        // The sliding before it was born is not the spring's business.
+        sliding_way = 0.0;
+        contact.damping = damping_of(law, drawn_restitution(scene_, step_, a, b), mass, touch.by_depth);
+        ++next_turnover_.born;
+    }
+    respond(law, touch, mass, -relative.dot(touch.normal), relative.dot(tangent), sliding_way, contact);
+}
+
+/// Takes over the memory of the old contact of the same bodies that is nearest, if there is one.
+bool SoftSystem::recall(SoftContact& contact) {
+    drop_before(contact.a, contact.b);
+    std::size_t nearest = contacts_.size();
+    double least = 0.0;
+    for (std::size_t k = cursor_; k < contacts_.size() && !before(contact, contacts_[k].a, contacts_[k].b); ++k) {
+        if (recalled_[k] != 0) continue;
+        const double distance = (contacts_[k].point - contact.point).squaredNorm();
+        if (nearest != contacts_.size() && distance >= least) continue;
+        nearest = k;
+        least = distance;
+    }
+    if (nearest == contacts_.size()) return false;
+    recalled_[nearest] = 1;
+    const SoftContact& old = contacts_[nearest];
+    contact.damping = old.damping;
+    contact.stretch = old.stretch;
+    contact.turning = old.turning;
+    contact.pressed = old.pressed;
+    contact.largest = old.largest;
+    contact.spent = old.spent;
+    contact.impulse = old.impulse;
+    return true;
+}
+
+void SoftSystem::drop_before(BodyIndex a, BodyIndex b) {
+    for (; cursor_ < contacts_.size() && before(contacts_[cursor_], a, b); ++cursor_) drop(cursor_);
+}
+
+void SoftSystem::drop(std::size_t old) {
+    if (recalled_[old] != 0) return;
+    const SoftContact& contact = contacts_[old];
+    next_turnover_.dropped_sliding += contact.stored_sliding;
+    if (is_wall(contact.a) && !scene_.walls[static_cast<std::size_t>(wall_index(contact.a))].present(time_)) {
+        next_turnover_.dropped_normal += contact.stored_normal;
+    }
+}
+
+void SoftSystem::sum_forces(std::span<const double> x, std::span<double> a) const {
+    std::fill(a.begin(), a.end(), 0.0);
+    for (const SoftContact& c : next_) {
+        const Vec2 force = c.force();
+        const std::size_t j = 3 * Grains::at(c.b);
+        a[j] += force.x();
+        a[j + 1] += force.y();
+        a[j + 2] += cross(c.point - place(x, c.b), force);
+        if (is_wall(c.a)) continue;
+        const std::size_t i = 3 * Grains::at(c.a);
+        a[i] -= force.x();
+        a[i + 1] -= force.y();
+        a[i + 2] -= cross(c.point - place(x, c.a), force);
+    }
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        a[3 * k] = a[3 * k] * bodies_[k].inverse_mass + scene_.gravity.x();
+        a[3 * k + 1] = a[3 * k + 1] * bodies_[k].inverse_mass + scene_.gravity.y();
+        a[3 * k + 2] *= bodies_[k].inverse_inertia;
+    }
+}
+
+}  // namespace polargrain

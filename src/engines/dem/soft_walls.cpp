@@ -1,0 +1,79 @@
+#include "src/engines/dem/soft_walls.h"
+
+#include <cmath>
+
+namespace polargrain {
+
+namespace {
+
+/// Sine of the largest bend at which two pieces count as one.
+constexpr double k_straight = 1e-9;
+
+bool go_on_straight(const Vec2& first, const Vec2& second) {
+    return std::abs(cross(first, second)) <= k_straight * std::sqrt(first.squaredNorm() * second.squaredNorm()) &&
+           first.dot(second) > 0.0;
+}
+
+}  // namespace
+
+SoftWalls::SoftWalls(const Scene& scene) : scene_(scene) {
+    for (int w = static_cast<int>(scene.walls.size()) - 1; w >= 0; --w) {
+        any_moves_ = any_moves_ || scene.walls[static_cast<std::size_t>(w)].moves();
+        enter(w);
+    }
+    present_.assign(scene.walls.size(), 0);
+    motions_.assign(scene.walls.size(), Motion{});
+}
+
+void SoftWalls::enter(int wall) {
+    const std::vector<Vec2>& points = scene_.walls[static_cast<std::size_t>(wall)].points;
+    std::vector<Vec2> corners;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const bool inside = k > 0 && k + 1 < points.size();
+        if (inside && go_on_straight(points[k] - points[k - 1], points[k + 1] - points[k])) continue;
+        corners.push_back(points[k]);
+    }
+    const auto first = static_cast<int>(pieces_.size());
+    const auto count = static_cast<int>(corners.size()) - 1;
+    const bool closed = count > 1 && corners.front() == corners.back();
+    for (int k = 0; k < count; ++k) {
+        SoftPiece piece;
+        piece.wall = wall;
+        piece.before = k > 0 ? first + k - 1 : (closed ? first + count - 1 : -1);
+        piece.after = k + 1 < count ? first + k + 1 : (closed ? first : -1);
+        pieces_.push_back(piece);
+        const auto at = static_cast<std::size_t>(k);
+        rest_.push_back({corners[at], corners[at + 1]});
+    }
+}
+
+void SoftWalls::place(double time) {
+    for (std::size_t w = 0; w < scene_.walls.size(); ++w) present_[w] = scene_.walls[w].present(time) ? 1 : 0;
+    if (placed_ && !any_moves_) return;
+    placed_ = true;
+    std::vector<WallState> states;
+    for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
+        states.push_back(wall_state(scene_.walls[w], time));
+        motions_[w] = {states[w].velocity_at(Vec2::Zero()), states[w].spin};
+    }
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+        SoftPiece& piece = pieces_[k];
+        const WallState& state = states[static_cast<std::size_t>(piece.wall)];
+        piece.a = state.point(rest_[k].a);
+        piece.b = state.point(rest_[k].b);
+        piece.length = std::sqrt((piece.b - piece.a).squaredNorm());
+        piece.along = (piece.b - piece.a) / piece.length;
+    }
+}
+
+ChainTouch touch_chain(const std::vector<SoftPiece>& pieces, std::size_t k, const Vec2& centre) {
+    const SoftPiece& piece = pieces[k];
+    const double station = piece.along.dot(centre - piece.a);
+    if (station >= 0.0 && station < piece.length) return {true, piece.a + station * piece.along};
+    if (station >= piece.length) return {piece.after < 0, piece.b};
+    if (piece.before < 0) return {true, piece.a};
+    const SoftPiece& before = pieces[static_cast<std::size_t>(piece.before)];
+    return {before.along.dot(centre - before.a) >= before.length, piece.a};
+}
+
+}  // namespace polargrain
