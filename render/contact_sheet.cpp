@@ -129,9 +129,17 @@ void contact_sheet(const std::filesystem::path& frames_folder, const std::filesy
 
 void contact_sheet(const TrajectoryReader& recording, const FrameStyle& style, const std::filesystem::path& sheet,
                    const ContactSheetSettings& settings) {
-    const std::vector<int> chosen = spread(recording.frames(), settings.count);
-    const double aspect = std::clamp(style.view.height() / style.view.width(), 0.15, 2.0);
-    Grid grid = grid_for(static_cast<int>(chosen.size()), aspect, settings);
+    std::vector<LabelledFrame> cells;
+    for (const int f : spread(recording.frames(), settings.count)) {
+        cells.push_back({f, time_text(recording.frame(f).world.time, style.time_decimals)});
+    }
+    contact_sheet(recording, cells, style, sheet, settings);
+}
+
+void contact_sheet(const TrajectoryReader& recording, const std::vector<LabelledFrame>& cells, const FrameStyle& style,
+                   const std::filesystem::path& sheet, const ContactSheetSettings& settings) {
+    const double aspect = std::clamp(style.view.height() / style.view.width(), 0.1, 2.0);
+    Grid grid = grid_for(static_cast<int>(cells.size()), aspect, settings);
     const double letter = letter_height(0.8 * grid.width());
     grid.header = 2.0 * letter;
     grid.footer = 2.7 * letter;
@@ -140,12 +148,12 @@ void contact_sheet(const TrajectoryReader& recording, const FrameStyle& style, c
     const Rect paper = canvas.sheet();
     const double inner = paper.width - 2.0 * grid.gap;
     draw_header(cr, {grid.gap, 0.0, inner, grid.header + 0.4 * letter}, letter, style.title, std::nullopt);
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-        const StoredFrame frame = recording.frame(chosen[k]);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const StoredFrame frame = recording.frame(cells[k].frame);
         const Rect cell = grid.cell(static_cast<int>(k));
         const double cell_letter = std::max(11.0, letter_height(2.2 * cell.width));
         draw_plot(cr, picture_of(recording.scene(), frame), style, cell, cell_letter);
-        label(cr, cell, cell_letter, time_text(frame.world.time, style.time_decimals));
+        label(cr, cell, cell_letter, cells[k].label);
     }
     const Rect footer{grid.gap, paper.height - grid.footer - 0.4 * letter, inner, grid.footer};
     draw_legend(cr, footer, letter, style, recording.scene());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "render/frame_style.h"
 #include "src/record/trajectory_reader.h"
@@ -19,8 +21,18 @@ struct ContactSheetSettings {
 void contact_sheet(const std::filesystem::path& frames_folder, const std::filesystem::path& sheet,
                    const ContactSheetSettings& settings = {});
 
-/// The same, drawn anew from a recording; cells are sharp at any size, and share one legend.
+/// The same, drawn anew from a recording; cells are sharp at any size, and share one legend. png, svg or pdf.
 void contact_sheet(const TrajectoryReader& recording, const FrameStyle& style, const std::filesystem::path& sheet,
                    const ContactSheetSettings& settings = {});
+
+/// A frame of a recording, and what is written into its corner.
+struct LabelledFrame {
+    int frame;
+    std::string label;
+};
+
+/// The same with chosen frames; settings.count does not matter.
+void contact_sheet(const TrajectoryReader& recording, const std::vector<LabelledFrame>& cells, const FrameStyle& style,
+                   const std::filesystem::path& sheet, const ContactSheetSettings& settings = {});
 
 }  // namespace polargrain
