@@ -60,8 +60,9 @@ public:
         return k;
     }
     void join(std::size_t a, std::size_t b) {
-        const auto [low, high] = std::minmax(find(a), find(b));
-        parent_[high] = low;
+        const std::size_t p = find(a);
+        const std::size_t q = find(b);
+        parent_[std::max(p, q)] = std::min(p, q);
     }
 
 private:

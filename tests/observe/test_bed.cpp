@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -52,6 +53,52 @@ TEST(AreaFraction, NeedsWallsAndGravity) {
     Scene scene = square_lattice(1);
     scene.gravity = Vec2::Zero();
     EXPECT_TRUE(std::isnan(area_fraction(scene, scene.grains)));
+}
+
+/// A box `columns` diameters wide with the rows of a hexagonal packing of disks of radius 10 mm, the outermost touching
+/// the walls.
+Scene hexagonal_bed(int columns, int rows) {
+    Scene scene = square_lattice(0);
+    scene.walls[0].points = {{0.0, 1.0}, {0.0, 0.0}, {0.02 * columns, 0.0}, {0.02 * columns, 1.0}};
+    for (int row = 0; row < rows; ++row) {
+        for (int k = 0; k < columns - row % 2; ++k) {
+            scene.add(Grain{0, 0, {0.01 + 0.02 * k + 0.01 * (row % 2), 0.01 + std::sqrt(3.0) * 0.01 * row}});
+        }
+    }
+    return scene;
+}
+
+TEST(PotentialOverHexagonal, OfAHexagonalPackingIsOne) {
+    for (const int rows : {1, 2, 7}) {
+        const Scene scene = hexagonal_bed(10, rows);
+        EXPECT_NEAR(potential_over_hexagonal(scene, scene.grains), 1.0, 1e-12) << rows << " rows";
+    }
+}
+
+TEST(PotentialOverHexagonal, OfATallSquareLatticeIsItsHeightOverTheHexagonal) {
+    // n rows of ten at 0.02 k + 0.01 against rows of ten and nine in turn, sqrt(3) x 0.01 apart.
+    constexpr int k_rows = 40;
+    const Scene scene = square_lattice(k_rows);
+    double least = 0.0;
+    int left = 10 * k_rows;
+    for (int row = 0; left > 0; ++row) {
+        const int here = std::min(left, 10 - row % 2);
+        least += here * (0.01 + std::sqrt(3.0) * 0.01 * row);
+        left -= here;
+    }
+    EXPECT_NEAR(potential_over_hexagonal(scene, scene.grains), 10.0 * k_rows * 0.02 * k_rows / 2.0 / least, 1e-12);
+}
+
+TEST(SurfaceSlope, OfALatticeUnderAStraightLineIsThatLine) {
+    Scene scene = square_lattice(0);
+    for (int column = 0; column < 10; ++column) {
+        for (int k = 0; k < 3 + 2 * column; ++k) scene.add(Grain{0, 0, {0.01 + 0.02 * column, 0.01 + 0.02 * k}});
+    }
+    EXPECT_NEAR(surface_slope(scene, scene.grains, {}), std::atan(2.0), 1e-12);
+    for (double& x : scene.grains.x) x = 0.2 - x;
+    EXPECT_NEAR(surface_slope(scene, scene.grains, {}), -std::atan(2.0), 1e-12);
+    EXPECT_NEAR(surface_slope(scene, scene.grains, Region{{0.0, 0.0}, {0.08, 1.0}}), -std::atan(2.0), 1e-12);
+    EXPECT_TRUE(std::isnan(surface_slope(scene, scene.grains, Region{{0.0, 0.0}, {0.03, 1.0}})));
 }
 
 TEST(TopplingMeter, MeasuresAWaveOfKnownSpeed) {
