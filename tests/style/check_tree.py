@@ -25,8 +25,9 @@ BELOW = {
     "shapes": {"src/core", "src/geometry"},
     "scenarios": {"src/core", "src/geometry", "src/model", "src/detect", "src/observe", "shapes"},
     "render": {"src/core", "src/geometry", "src/model", "src/observe", "src/run", "src/record"},
+    "src/compare": {"src/core", "src/geometry", "src/model", "src/observe", "src/run", "src/record", "src/plot"},
     "src/cli": {"src/core", "src/geometry", "src/model", "src/detect", "src/engines", "src/observe", "src/run", "src/record",
-                "shapes", "scenarios", "render"},
+                "shapes", "scenarios", "render", "src/plot", "src/compare"},
 }
 ENGINE_BELOW = {"src/core", "src/geometry", "src/model", "src/detect"}
 BELOW["src/engines/box2d"] = ENGINE_BELOW | {"shapes"}
