@@ -54,6 +54,30 @@ struct EdgeGaps {
     }
 };
 
+/// Has p passed the end q of the edge, and does q face an edge of p's body instead? Then that is the contact, which the
+/// other direction finds; the edge drawn out beyond its end would strike p too early, along the wrong normal.
+bool end_faces_instead(const PolarPolygon& polygon, const Approach& v, int edge, const GapRules& rules) {
+    const Vec2 along = -right_normal(polygon.normal(edge));  // from its first vertex to its second
+    for (const int end : {edge, polygon.next(edge)}) {
+        const Vec2 q = polygon.vertex(end) - v.p;
+        const double passed = end == edge ? along.dot(q) : -along.dot(q);
+        if (passed <= rules.resting || reentrant(polygon, end)) continue;
+        const Vec2 ways[2] = {v.to_previous, v.to_next};
+        for (int n = 0; n < 2; ++n) {
+            const double length = std::sqrt(ways[n].squaredNorm());
+            const double station = ways[n].dot(q);
+            if (station <= rules.resting * length || station >= length * length) continue;
+            const Vec2 outward = n == 0 ? Vec2(-right_normal(ways[n]) / length) : Vec2(right_normal(ways[n]) / length);
+            const double gap = outward.dot(q);
+            if (gap < 0.0 || gap > rules.margin) continue;
+            const Approach back{polygon.vertex(end), polygon.vertex(polygon.previous(end)) - polygon.vertex(end),
+                                polygon.vertex(polygon.next(end)) - polygon.vertex(end)};
+            if (!neighbour_behind(back, outward, gap)) return true;
+        }
+    }
+    return false;
+}
+
 /// The edge that bounds the free space of a vertex outside, by the feature and reflex rules; none where the true
 /// contact is elsewhere.
 /// `edge` is the edge of the sector that holds the vertex, `gap` the distance from it, not beyond the margin.
@@ -87,7 +111,7 @@ EdgeGaps edges_near(const PolarPolygon& polygon, const Approach& v, int edge, do
         return edges;
     }
     if (!neighbour_behind(v, polygon.normal(edge), gap)) {
-        edges.add(edge, gap);
+        if (!end_faces_instead(polygon, v, edge, rules)) edges.add(edge, gap);
         for (const End& end : ends) {
             if (!reentrant(polygon, end.vertex)) continue;
             if ((v.p - polygon.vertex(end.vertex)).squaredNorm() >= 4.0 * rules.margin * rules.margin) continue;

@@ -12,6 +12,8 @@ const char* to_string(SlipMode mode) {
         case SlipMode::reverses_in_restitution: return "reverses_in_restitution";
         case SlipMode::direct_sticking: return "direct_sticking";
         case SlipMode::direct_sliding: return "direct_sliding";
+        case SlipMode::on_feet: return "on_feet";
+        case SlipMode::foot: return "foot";
     }
     return "unknown";
 }

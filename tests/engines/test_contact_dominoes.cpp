@@ -30,8 +30,13 @@ const Material k_opalene{"opalene", 41.8e-3, 7.5e-3, 0.85, 0.18};
 const Material k_perspex{"perspex", 80.0e-3, 9.9e-3, 0.55, 0.25};
 const Material k_tufnol{"tufnol", 80.0e-3, 9.6e-3, 0.65, 0.15};
 
-/// Speed of the wave / sqrt(g L), second half of 40 dominoes on a floor with mu 1.5 and e 0.2; gap in thicknesses.
-double wave_speed(const Material& m, double gap, double dt, int vertices = 4) {
+/// Speed / sqrt(g L) and its standard error from the times of single pitches.
+struct WaveSpeed {
+    double mean, error;
+};
+
+/// Speed of the wave in the second half of 40 dominoes on a floor with mu 1.5 and e 0.2; gap in thicknesses.
+WaveSpeed wave_speed(const Material& m, double gap, double dt, int vertices = 4) {
     Scene scene;
     scene.materials.add({m.name, 1190.0, {m.restitution, 0.0}, m.friction});
     scene.materials.add({"floor", 0.0, {0.2, 0.0}, 1.5});
@@ -59,7 +64,12 @@ double wave_speed(const Material& m, double gap, double dt, int vertices = 4) {
     EXPECT_GE(struck[last], 0.0) << "the wave must reach the end";
     EXPECT_EQ(sim.moves.rejected, 0);
     EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
-    return pitch * static_cast<double>(last - first) / (struck[last] - struck[first]) / std::sqrt(k_g * m.height);
+    const auto pitches = static_cast<double>(last - first);
+    const double mean = (struck[last] - struck[first]) / pitches;
+    double square = 0.0;
+    for (std::size_t k = first; k < last; ++k) square += std::pow(struck[k + 1] - struck[k] - mean, 2);
+    const double speed = pitch / mean / std::sqrt(k_g * m.height);
+    return {speed, speed * std::sqrt(square / (pitches - 1.0) / pitches) / mean};
 }
 
 double chain_speed(const Material& m, double gap) {
@@ -70,53 +80,34 @@ double chain_speed(const Material& m, double gap) {
 
 class Dominoes : public ::testing::TestWithParam<std::tuple<Material, int>> {};
 
-TEST_P(Dominoes, FallAsFastAsThePinnedChain) {
+TEST_P(Dominoes, FallAsFastAsThePinnedChainAtEveryTimeStep) {
     const auto& [material, gap] = GetParam();
-    const double coarse = wave_speed(material, gap, 1e-3);
-    const double fine = wave_speed(material, gap, 3e-4);
     const double chain = chain_speed(material, gap);
-    fmt::print("{} gap {} h: dt 1e-3 {:.4f} ({:+.2f} %), 3e-4 {:.4f} ({:+.2f} %), chain {:.4f}\n", material.name, gap,
-               coarse, 100.0 * (coarse / chain - 1.0), fine, 100.0 * (fine / chain - 1.0), chain);
-    EXPECT_NEAR(coarse / chain, 1.0, 0.04);
-    EXPECT_NEAR(fine / chain, 1.0, 0.04);
-    // Aim 1 %, which gaps of two thicknesses and more keep. The wave of a row one thickness apart is faster than one
-    // domino in six steps of 1e-3 s; measured 2.9 % (Perspex), 2.6 % (Tufnol), 1.3 % (Opalene).
-    EXPECT_NEAR(coarse / fine, 1.0, gap == 1 ? 0.035 : 0.01);
+    std::vector<WaveSpeed> found;
+    for (const double dt : {1e-3, 3e-4, 1e-4}) {
+        found.push_back(wave_speed(material, gap, dt));
+        fmt::print("{} gap {} h dt {:.0e}: {:.4f} +- {:.4f} ({:+.2f} % of the chain's {:.4f})\n", material.name, gap,
+                   dt, found.back().mean, found.back().error, 100.0 * (found.back().mean / chain - 1.0), chain);
+        EXPECT_NEAR(found.back().mean / chain, 1.0, 0.04);
+    }
+    // One percent, or two standard errors: bouncing dominoes keep pitches that differ by several percent.
+    for (const WaveSpeed& other : {found[1], found[2]}) {
+        const double noise = 2.0 * std::hypot(found[0].error, other.error);
+        EXPECT_NEAR(found[0].mean, other.mean, std::max(0.01 * other.mean, noise));
+    }
 }
 
 std::string case_name(const ::testing::TestParamInfo<std::tuple<Material, int>>& c) {
     return fmt::format("{}_{}", std::get<0>(c.param).name, std::get<1>(c.param));
 }
 
-INSTANTIATE_TEST_SUITE_P(HardPlastics, Dominoes,
-                         ::testing::Combine(::testing::Values(k_perspex, k_tufnol), ::testing::Range(1, 6)), case_name);
-INSTANTIATE_TEST_SUITE_P(Opalene, Dominoes, ::testing::Combine(::testing::Values(k_opalene), ::testing::Range(1, 3)),
+INSTANTIATE_TEST_SUITE_P(Plastics, Dominoes,
+                         ::testing::Combine(::testing::Values(k_opalene, k_perspex, k_tufnol), ::testing::Range(1, 6)),
                          case_name);
 
-class WideOpalene : public ::testing::TestWithParam<int> {};
-
-TEST_P(WideOpalene, FallsBetweenTheTwoTheories) {
-    // Aim: the chain within 4 %. Its pairwise impacts at e = 0.85 hand on speed that a group of leaning dominoes, which
-    // the engine resolves, damps: the group theory with friction is the other bound.
-    const std::vector<double> group = {1.283, 1.177, 0.977};
-    const int gap = GetParam();
-    const double coarse = wave_speed(k_opalene, gap, 1e-3);
-    const double fine = wave_speed(k_opalene, gap, 3e-4);
-    const double chain = chain_speed(k_opalene, gap);
-    const double bound = group[static_cast<std::size_t>(gap - 3)];
-    fmt::print("opalene gap {} h: dt 1e-3 {:.4f} ({:+.2f} %), 3e-4 {:.4f} ({:+.2f} %), chain {:.4f}, group {:.3f}\n",
-               gap, coarse, 100.0 * (coarse / chain - 1.0), fine, 100.0 * (fine / chain - 1.0), chain, bound);
-    for (const double speed : {coarse, fine}) {
-        EXPECT_GT(speed, bound);
-        EXPECT_LT(speed, chain);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Gaps, WideOpalene, ::testing::Values(3, 4, 5));
-
 TEST(Dominoes, WithVerticesAlongTheirSidesFallAlike) {
-    const double plain = wave_speed(k_perspex, 2, 3e-4, 4);
-    const double divided = wave_speed(k_perspex, 2, 3e-4, 24);
+    const double plain = wave_speed(k_perspex, 2, 3e-4, 4).mean;
+    const double divided = wave_speed(k_perspex, 2, 3e-4, 24).mean;
     fmt::print("4 vertices {:.4f}, 24 vertices {:.4f} ({:+.2f} %)\n", plain, divided, 100.0 * (divided / plain - 1.0));
     EXPECT_NEAR(divided / plain, 1.0, 0.01);
 }

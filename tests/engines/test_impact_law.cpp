@@ -72,6 +72,8 @@ std::string oracle_name(SlipMode mode) {
         case SlipMode::reverses_in_restitution: return "reverse_restitution";
         case SlipMode::direct_sticking: return "direct_stick";
         case SlipMode::direct_sliding: return "direct_slide";
+        case SlipMode::on_feet:
+        case SlipMode::foot: break;  // of more than two bodies
     }
     return "";
 }

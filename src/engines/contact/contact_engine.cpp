@@ -77,7 +77,7 @@ private:
 
     /// What the solver changes of a contact.
     struct Remembered {
-        Vec2 normal;
+        Vec2 point, normal;
         double gap, normal_impulse, tangent_impulse, low, high;
     };
 
@@ -85,7 +85,8 @@ private:
         bodies_remembered_ = bodies_;
         contacts_remembered_.clear();
         for (const GapContact& c : contacts_) {
-            contacts_remembered_.push_back({c.normal, c.gap, c.normal_impulse, c.tangent_impulse, c.low, c.high});
+            contacts_remembered_.push_back(
+                {c.point, c.normal, c.gap, c.normal_impulse, c.tangent_impulse, c.low, c.high});
         }
         ledger_remembered_ = report.ledger;
         walls_remembered_ = report.walls;
@@ -99,6 +100,7 @@ private:
         for (std::size_t k = 0; k < contacts_.size(); ++k) {
             const Remembered& r = contacts_remembered_[k];
             GapContact& c = contacts_[k];
+            c.point = r.point;
             c.normal = r.normal;
             c.gap = r.gap;
             c.normal_impulse = r.normal_impulse;
@@ -141,7 +143,7 @@ private:
         trial_ = before_;
         detect();
         for (int pass = 0; pass < k_opening_passes && PositionCorrection::needed(contacts_); ++pass) {
-            GapSolver::prepare(contacts_, bodies_, trial_);
+            solver_.prepare_at_rest(contacts_, bodies_, trial_);
             correction_.correct(contacts_, bodies_, scene_.gravity, std::numeric_limits<double>::infinity(), trial_);
             refresh_trial();
             detect();

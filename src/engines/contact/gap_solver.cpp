@@ -3,95 +3,57 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/engines/contact/gap_motion.h"
 #include "src/engines/contact/restitution.h"
 #include "src/engines/contact/wall_pieces.h"
 
 namespace polargrain {
 
-namespace {
-
-std::size_t at(BodyIndex grain) { return static_cast<std::size_t>(grain); }
-
-/// Relative velocity of i with respect to j along the normal and the tangent.
-double normal_speed(const GapContact& c, const std::vector<SolverBody>& bodies) {
-    const SolverBody& i = bodies[at(c.i)];
-    double u = c.normal.dot(i.velocity) + c.arm_ni * i.spin;
-    if (is_wall(c.j)) return u - c.normal.dot(c.wall_velocity);
-    const SolverBody& j = bodies[at(c.j)];
-    return u - c.normal.dot(j.velocity) - c.arm_nj * j.spin;
-}
-
-double tangent_speed(const GapContact& c, const std::vector<SolverBody>& bodies) {
-    const Vec2 t = c.tangent();
-    const SolverBody& i = bodies[at(c.i)];
-    double u = t.dot(i.velocity) + c.arm_ti * i.spin;
-    if (is_wall(c.j)) return u - t.dot(c.wall_velocity);
-    const SolverBody& j = bodies[at(c.j)];
-    return u - t.dot(j.velocity) - c.arm_tj * j.spin;
-}
-
-void push(const GapContact& c, std::vector<SolverBody>& bodies, double normal, double tangential) {
-    const Vec2 p = normal * c.normal + tangential * c.tangent();
-    SolverBody& i = bodies[at(c.i)];
-    i.velocity += i.inverse_mass * p;
-    i.spin += i.inverse_inertia * (normal * c.arm_ni + tangential * c.arm_ti);
-    if (is_wall(c.j)) return;
-    SolverBody& j = bodies[at(c.j)];
-    j.velocity -= j.inverse_mass * p;
-    j.spin -= j.inverse_inertia * (normal * c.arm_nj + tangential * c.arm_tj);
-}
-
-void take_reaction(const GapContact& c, const Vec2& impulse, StepReport& report) {
-    if (!is_wall(c.j)) return;
-    WallImpulse& wall = report.walls[static_cast<std::size_t>(wall_index(c.j))];
-    wall.linear -= impulse;
-    wall.angular -= cross(c.point, impulse);
-    report.ledger.wall_work += impulse.dot(c.wall_velocity);
-}
-
-}  // namespace
-
 void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
                         PoseSet& trial, std::int64_t step, double time, double dt, int sweeps, StepReport& report) {
     start_ = &start;
-    step_ = step;
-    time_ = time;
-    impact_speed_ = k_impact * std::sqrt(scene_.gravity.squaredNorm()) * dt;
-    prepare(contacts, bodies, start);
+    halfway_.find(start, bodies, dt);
+    prepare(contacts, bodies);
     prepare_laws(contacts, step);
-    index_by_grain(contacts);
+    impacts_.begin(contacts, halfway_, step, time, dt);
     const double h = dt / k_sub_steps;
     for (int s = 0; s < k_sub_steps; ++s) {
         set_wall_velocities(contacts, time + (s + 0.5) * h);
-        impacts(contacts, bodies, h, report);
+        impacts_.run(contacts, bodies, h, report);
         lasting(contacts, bodies, h, sweeps);
         keep_energy(contacts, bodies, h);
         move(contacts, bodies, trial, h, report);
     }
-    start_ = nullptr;
 }
 
-void GapSolver::prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                        const PoseSet& poses) {
+void GapSolver::prepare_at_rest(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
+                                const PoseSet& poses) {
+    start_ = &poses;
+    halfway_.find(poses, bodies, 0.0);
+    prepare(contacts, bodies);
+}
+
+void GapSolver::prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const {
     for (GapContact& c : contacts) {
         c.travel = 0.0;
         c.active = true;
         c.total_impulse = Vec2::Zero();
-        prepare_arms(c, bodies, poses);
+        halfway_.carry(c);
+        prepare_arms(c, bodies);
     }
 }
 
-void GapSolver::prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies, const PoseSet& poses) {
+void GapSolver::prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies) const {
     const Vec2 t = c.tangent();
     const SolverBody& i = bodies[at(c.i)];
-    const Vec2 arm_i = c.point - poses.centre[at(c.i)];
+    const Vec2 arm_i = c.point - halfway_.centre(c.i);
     c.arm_ni = cross(arm_i, c.normal);
     c.arm_ti = cross(arm_i, t);
     double n = i.inverse_mass + i.inverse_inertia * c.arm_ni * c.arm_ni;
     double s = i.inverse_mass + i.inverse_inertia * c.arm_ti * c.arm_ti;
     if (!is_wall(c.j)) {
         const SolverBody& j = bodies[at(c.j)];
-        const Vec2 arm_j = c.point - poses.centre[at(c.j)];
+        const Vec2 arm_j = c.point - halfway_.centre(c.j);
         c.arm_nj = cross(arm_j, c.normal);
         c.arm_tj = cross(arm_j, t);
         n += j.inverse_mass + j.inverse_inertia * c.arm_nj * c.arm_nj;
@@ -108,104 +70,12 @@ void GapSolver::prepare_laws(std::vector<GapContact>& contacts, std::int64_t ste
     }
 }
 
-void GapSolver::index_by_grain(const std::vector<GapContact>& contacts) {
-    first_of_grain_.assign(static_cast<std::size_t>(scene_.grains.size()) + 1, 0);
-    for (const GapContact& c : contacts) {
-        ++first_of_grain_[at(c.i) + 1];
-        if (!is_wall(c.j)) ++first_of_grain_[at(c.j) + 1];
-    }
-    for (std::size_t g = 0; g + 1 < first_of_grain_.size(); ++g) first_of_grain_[g + 1] += first_of_grain_[g];
-    fill_.assign(first_of_grain_.begin(), first_of_grain_.end() - 1);
-    of_grain_.resize(static_cast<std::size_t>(first_of_grain_.back()));
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        of_grain_[at(fill_[at(contacts[k].i)]++)] = static_cast<std::int32_t>(k);
-        if (!is_wall(contacts[k].j)) of_grain_[at(fill_[at(contacts[k].j)]++)] = static_cast<std::int32_t>(k);
-    }
-}
-
 void GapSolver::set_wall_velocities(std::vector<GapContact>& contacts, double time) const {
     for (GapContact& c : contacts) {
         if (!is_wall(c.j)) continue;
         const Wall& wall = scene_.walls[static_cast<std::size_t>(wall_index(c.j))];
         if (wall.moves()) c.wall_velocity = wall_state(wall, time).velocity_at(c.point);
     }
-}
-
-// --- impacts ---
-
-bool GapSolver::strikes(const GapContact& c, const std::vector<SolverBody>& bodies, double h, double& speed) const {
-    if (!c.active) return false;
-    speed = -normal_speed(c, bodies);
-    if (speed <= impact_speed_) return false;
-    // Gravity pulls both grains of a pair alike; against a wall it closes the gap as well.
-    const double pull = is_wall(c.j) ? std::max(0.0, -scene_.gravity.dot(c.normal)) * h : 0.0;
-    return c.gap - c.resting < (speed + pull) * h;
-}
-
-void GapSolver::impacts(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h,
-                        StepReport& report) {
-    heap_.clear();
-    double speed = 0.0;
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (strikes(contacts[k], bodies, h, speed)) heap_.push_back({speed, static_cast<std::int32_t>(k), 0});
-    }
-    if (heap_.empty()) return;
-    const auto later = [](const Strike& p, const Strike& q) {
-        return p.speed < q.speed || (p.speed == q.speed && p.contact > q.contact);
-    };
-    std::make_heap(heap_.begin(), heap_.end(), later);
-    stamp_.assign(contacts.size(), 0);
-    uses_.assign(contacts.size(), 0);
-    while (!heap_.empty()) {
-        std::pop_heap(heap_.begin(), heap_.end(), later);
-        const Strike next = heap_.back();
-        heap_.pop_back();
-        const auto k = static_cast<std::size_t>(next.contact);
-        if (next.stamp != stamp_[k]) continue;
-        strike(contacts[k], bodies, report);
-        ++uses_[k];
-        for (const BodyIndex body : {contacts[k].i, contacts[k].j}) {
-            if (is_wall(body)) continue;
-            for (auto n = first_of_grain_[at(body)]; n < first_of_grain_[at(body) + 1]; ++n) {
-                const std::int32_t touched = of_grain_[at(n)];
-                ++stamp_[at(touched)];
-                if (uses_[at(touched)] >= k_most_impacts || !strikes(contacts[at(touched)], bodies, h, speed)) continue;
-                heap_.push_back({speed, touched, stamp_[at(touched)]});
-                std::push_heap(heap_.begin(), heap_.end(), later);
-            }
-        }
-    }
-}
-
-void GapSolver::strike(GapContact& c, std::vector<SolverBody>& bodies, StepReport& report) {
-    SolverBody& i = bodies[at(c.i)];
-    const bool wall = is_wall(c.j);
-    const ImpactBody inertia_i{i.inverse_mass, i.inverse_inertia};
-    const ImpactBody inertia_j =
-        wall ? ImpactBody{} : ImpactBody{bodies[at(c.j)].inverse_mass, bodies[at(c.j)].inverse_inertia};
-    const Vec2 centre_i = start_->centre[at(c.i)];
-    const Vec2 centre_j = wall ? c.point : start_->centre[at(c.j)];
-    const ContactFrame frame = contact_frame(c.normal, c.point - centre_i, inertia_i, c.point - centre_j, inertia_j);
-    const Motion i_before{i.velocity, i.spin};
-    const Motion j_before =
-        wall ? Motion{c.wall_velocity, 0.0} : Motion{bodies[at(c.j)].velocity, bodies[at(c.j)].spin};
-    const RelativeVelocity before = relative_velocity(frame, i_before, j_before);
-    const ImpactResult result = solve_impact(frame, before, c.friction, c.restitution);
-    push(c, bodies, result.normal, result.tangential);
-    const Vec2 impulse = result.normal * c.normal + result.tangential * c.tangent();
-    c.total_impulse += impulse;
-    take_reaction(c, impulse, report);
-    report.ledger.restitution_loss += result.restitution_loss;
-    report.ledger.friction_loss += result.friction_loss;
-    ++report.impacts;
-    if (!report.record_impacts) return;
-    const Motion i_after{i.velocity, i.spin};
-    const Motion j_after = wall ? j_before : Motion{bodies[at(c.j)].velocity, bodies[at(c.j)].spin};
-    const RelativeVelocity after = relative_velocity(frame, i_after, j_after);
-    report.impact_records.push_back(
-        {time_,         step_,          c.i,           c.j,         c.point,       c.normal,          centre_i,
-         centre_j,      c.restitution,  c.friction,    result.mode, result.normal, result.tangential, before.closing,
-         after.closing, before.sliding, after.sliding, i_before,    j_before,      i_after,           j_after});
 }
 
 // --- lasting contacts ---
@@ -362,16 +232,16 @@ void GapSolver::leave_edge(GapContact& c, const std::vector<SolverBody>& bodies)
     const BodyIndex owner = c.on_i ? c.i : c.j;
     const auto* polygon = std::get_if<PolarPolygon>(&scene_.shape_of(owner));
     if (polygon == nullptr) return;
-    const Pose& pose = start_->pose[at(owner)];
+    const auto turned = [&](const Vec2& v) { return halfway_.turned(owner, start_->pose[at(owner)].turned(v)); };
     const Vec2 t = c.tangent();
     const Vec2 v = polygon->vertex(c.vertex);
     // The owner's point moves along +t if it is i's and the pair travels along t, and so on.
     const bool point_along_t = c.on_i == towards_t;
-    const Vec2 to_next = pose.turned(polygon->vertex(polygon->next(c.vertex)) - v);
-    const Vec2 to_previous = pose.turned(polygon->vertex(polygon->previous(c.vertex)) - v);
+    const Vec2 to_next = turned(polygon->vertex(polygon->next(c.vertex)) - v);
+    const Vec2 to_previous = turned(polygon->vertex(polygon->previous(c.vertex)) - v);
     const bool next_trails = point_along_t ? to_next.dot(t) < to_previous.dot(t) : to_next.dot(t) > to_previous.dot(t);
     const int edge = next_trails ? c.vertex : polygon->previous(c.vertex);
-    const Vec2 outward = pose.turned(polygon->normal(edge));
+    const Vec2 outward = turned(polygon->normal(edge));
     const Vec2 normal = c.on_i ? Vec2(-outward) : outward;
     const double cosine = normal.dot(c.normal);
     if (cosine < 0.2) return;
@@ -380,7 +250,7 @@ void GapSolver::leave_edge(GapContact& c, const std::vector<SolverBody>& bodies)
     c.low = -std::numeric_limits<double>::infinity();
     c.high = std::numeric_limits<double>::infinity();
     c.active = true;
-    prepare_arms(c, bodies, *start_);
+    prepare_arms(c, bodies);
 }
 
 }  // namespace polargrain

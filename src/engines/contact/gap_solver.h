@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "src/engines/contact/gap_detection.h"
+#include "src/engines/contact/gap_impacts.h"
+#include "src/engines/contact/halfway.h"
 #include "src/model/scene.h"
 #include "src/model/step_report.h"
 
@@ -11,8 +13,7 @@ namespace polargrain {
 /// Carries velocities and poses through one step in sub-steps, with impacts and lasting contacts.
 ///
 /// A sub-step of length h:
-/// 1. impacts: contacts that close faster than k_impact g dt and would meet within h get Stronge's impulse, fastest
-///    first (before gravity's kick, because then kinetic energy cannot rise);
+/// 1. impacts (GapImpacts), before gravity's kick, because then kinetic energy cannot rise);
 /// 2. gravity's kick, v += g h;
 /// 3. lasting contacts: projected Gauss-Seidel, first guess from the sub-step before. Normal: the gap may close to the
 ///    resting gap but not beyond, u_n >= -(gap - resting) / h, else no approach (never a push-out velocity); friction
@@ -26,29 +27,24 @@ public:
     static constexpr int k_sub_steps = 8;
     static constexpr int k_sweeps = 2;
     static constexpr int k_careful_sweeps = 8;
-    static constexpr double k_impact = 3.0;    ///< closing speeds above this many g dt are impacts
-    static constexpr int k_most_impacts = 20;  ///< per contact and sub-step
     static constexpr double k_settled = 1e-3;  ///< of g h: a sweep that changes no velocity by more ends the solve
 
-    explicit GapSolver(const Scene& scene) : scene_(scene) {}
+    explicit GapSolver(const Scene& scene) : scene_(scene), halfway_(scene), impacts_(scene) {}
 
     /// Advances bodies and trial poses from time to time + dt. `start` are the poses at which the contacts were found;
     /// the trial poses equal them at first. Fills impulses and losses of the report.
     void advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
                  PoseSet& trial, std::int64_t step, double time, double dt, int sweeps, StepReport& report);
 
-    /// Lever arms and effective masses at the poses at which the contacts were found.
-    static void prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const PoseSet& poses);
+    /// Lever arms and effective masses for poses that stand still.
+    void prepare_at_rest(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
+                         const PoseSet& poses);
 
 private:
-    static void prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies, const PoseSet& poses);
+    void prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const;
+    void prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies) const;
     void prepare_laws(std::vector<GapContact>& contacts, std::int64_t step) const;
-    void index_by_grain(const std::vector<GapContact>& contacts);
     void set_wall_velocities(std::vector<GapContact>& contacts, double time) const;
-
-    void impacts(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, StepReport& report);
-    bool strikes(const GapContact& c, const std::vector<SolverBody>& bodies, double h, double& speed) const;
-    void strike(GapContact& c, std::vector<SolverBody>& bodies, StepReport& report);
 
     void lasting(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, int sweeps);
     void keep_energy(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h) const;
@@ -60,20 +56,11 @@ private:
 
     const Scene& scene_;
     const PoseSet* start_ = nullptr;  ///< poses at which the contacts were found
-    double impact_speed_ = 0.0;
-    double time_ = 0.0;
-    std::int64_t step_ = 0;
+    Halfway halfway_;
+    GapImpacts impacts_;
     std::vector<Vec2> velocity_before_;
     std::vector<double> spin_before_;
     std::vector<char> pushed_;
-    std::vector<std::int32_t> first_of_grain_, fill_, of_grain_;
-    struct Strike {
-        double speed;
-        std::int32_t contact;
-        std::int32_t stamp;
-    };
-    std::vector<Strike> heap_;
-    std::vector<std::int32_t> stamp_, uses_;
 };
 
 }  // namespace polargrain

@@ -18,7 +18,7 @@ struct Impulse {
 
 /// No sliding at first: the ratio of impulses q is constant throughout.
 Impulse direct(const ContactFrame& f, double c0, double e, double q) {
-    const double k = f.b2 - f.b3 * q;
+    const double k = f.b2 - f.b4 * q;
     const double normal = -(1.0 + e) * c0 / k;
     return {q * normal, normal, -0.5 * c0 * c0 / k};
 }
@@ -32,7 +32,7 @@ Impulse sliding(double c0, double e, double s, double mu, double k1) {
 /// Sliding halts at the impulse `halt` while the bodies still approach; then the ratio of impulse increments is q2.
 Impulse halted_in_compression(const ContactFrame& f, double c0, double e, double s, double mu, double k1, double q2,
                               double halt) {
-    const double k2 = f.b2 - f.b3 * q2;
+    const double k2 = f.b2 - f.b4 * q2;
     const double c_halt = std::min(0.0, c0 + k1 * halt);
     const double work = 0.5 * ((c0 + c_halt) * halt - c_halt * c_halt / k2);
     const double greatest = halt - c_halt / k2;  // impulse at which the bodies stop approaching
@@ -43,7 +43,7 @@ Impulse halted_in_compression(const ContactFrame& f, double c0, double e, double
 /// Sliding halts at the impulse `halt` while the bodies already part.
 Impulse halted_in_restitution(const ContactFrame& f, double c0, double e, double s, double mu, double k1, double q2,
                               double halt) {
-    const double k2 = f.b2 - f.b3 * q2;
+    const double k2 = f.b2 - f.b4 * q2;
     const double c_halt = std::max(0.0, c0 + k1 * halt);
     const double left = std::max(0.0, (e * e * c0 * c0 - c_halt * c_halt) / k1);
     // The quotient form of the root keeps its digits where `left` is small.
@@ -65,7 +65,7 @@ Solution solve(const ContactFrame& f, double s0, double c0, double mu, double e)
         return {SlipMode::direct_sliding, direct(f, c0, e, std::copysign(mu, f.b3))};
     }
     const double s = s0 > 0.0 ? 1.0 : -1.0;
-    const double k1 = f.b2 + s * mu * f.b3;  // dC/dP_Y while sliding
+    const double k1 = f.b2 + s * mu * f.b4;  // dC/dP_Y while sliding
     const double g = mu * f.b1 + s * f.b3;   // -s dS/dP_Y while sliding
     // Cross-multiplied, so that neither a division nor the sign of k1 (a jam) can mislead the classification.
     const double sliding_side = k1 * std::abs(s0);
@@ -97,6 +97,7 @@ ContactFrame contact_frame(const Vec2& normal, const Vec2& arm_i, const ImpactBo
     f.b1 = masses + yi * yi * i.inverse_inertia + yj * yj * j.inverse_inertia;
     f.b2 = masses + xi * xi * i.inverse_inertia + xj * xj * j.inverse_inertia;
     f.b3 = xi * yi * i.inverse_inertia + xj * yj * j.inverse_inertia;
+    f.b4 = f.b3;
     return f;
 }
 
@@ -111,7 +112,7 @@ ImpactResult solve_impact(const ContactFrame& frame, const RelativeVelocity& bef
     if (c0 >= 0.0) return {};
     const auto [mode, p] = solve(frame, s0, c0, mu, e);
     const double s1 = s0 + frame.b1 * p.tangential - frame.b3 * p.normal;
-    const double c1 = c0 - frame.b3 * p.tangential + frame.b2 * p.normal;
+    const double c1 = c0 - frame.b4 * p.tangential + frame.b2 * p.normal;
     const double total_loss = -0.5 * (p.tangential * (s0 + s1) + p.normal * (c0 + c1));
     const double restitution_loss = -(1.0 - e * e) * p.compression_work;
     return {mode, p.tangential, p.normal, restitution_loss, total_loss - restitution_loss};

@@ -16,8 +16,9 @@ struct ContactFrame {
     Vec2 normal = Vec2::UnitY();
     Vec2 arm_i = Vec2::Zero();  ///< from the centre of mass of i to the contact point [m]
     Vec2 arm_j = Vec2::Zero();
-    double b1 = 0.0, b2 = 0.0,
-           b3 = 0.0;  ///< inverse effective masses: S = S0 + B1 P_X - B3 P_Y, C = C0 - B3 P_X + B2 P_Y
+    /// Inverse effective masses: S = S0 + B1 P_X - B3 P_Y, C = C0 - B4 P_X + B2 P_Y. B4 = B3 of the paper, but where a
+    /// body stands on a foot that slips with friction.
+    double b1 = 0.0, b2 = 0.0, b3 = 0.0, b4 = 0.0;
 
     Vec2 tangent() const { return right_normal(normal); }
 };
