@@ -70,4 +70,14 @@ struct SheetRequest {
 };
 int sheet_command(const SheetRequest& request);
 
+
+struct ReproduceRequest {
+    std::vector<std::string> figures;             ///< fig2, fig11, ...; none: all
+    std::optional<std::filesystem::path> folder;  ///< none: out/reproduce
+    int jobs = 2;                                 ///< simulations at a time
+    bool quiet = false;
+    std::string command_line;
+};
+int reproduce_command(const ReproduceRequest& request);
+
 }  // namespace polargrain

@@ -148,6 +148,25 @@ void add_sheet(CLI::App& app, SheetRequest& request, Action& action) {
     command->callback([&] { action = [&] { return sheet_command(request); }; });
 }
 
+void add_reproduce(CLI::App& app, ReproduceRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("reproduce", "the paper's figures and tables again, beside published numbers");
+    command->add_option("FIGURE", request.figures,
+                        "fig2 fig5 fig7 fig9 table1 fig11 fig12 fig14 fig15 fig16 fig17 efficiency; all if left out");
+    command->add_option("-o,--output", request.folder, "folder; default out/reproduce")->type_name("DIR");
+    command->add_option("--jobs", request.jobs, "simulations at a time, default 2")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain reproduce fig7 fig9\n"
+        "  polargrain reproduce fig11 -o out/paper --jobs 4\n"
+        "  polargrain reproduce                     (everything: some ten minutes on two cores)\n"
+        "DIR/report.html shows every figure drawn into DIR so far, with a verdict each; each figure stands beside it as PNG,\n"
+        "PDF and CSV. Finished simulations are kept in DIR/runs: the same command goes on after an interruption.");
+    command->callback([&] { action = [&] { return reproduce_command(request); }; });
+}
+
 std::vector<std::string> command_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -214,8 +233,10 @@ int run_program(int argc, const char* const* argv) {
     VerifyRequest verify;
     ShapeRequest shape;
     SheetRequest sheet;
+    ReproduceRequest reproduce;
     std::string what;
     Action action;
+    reproduce.command_line = command_line({argv, static_cast<std::size_t>(argc)});
     run.command_line = verify.command_line = command_line({argv, static_cast<std::size_t>(argc)});
     run.program = resume.program = argv[0];
     add_run(app, run, action);
@@ -225,6 +246,7 @@ int run_program(int argc, const char* const* argv) {
     add_shape(app, shape, action);
     add_list(app, what, action);
     add_sheet(app, sheet, action);
+    add_reproduce(app, reproduce, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

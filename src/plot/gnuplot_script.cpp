@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<const char*, 8> k_palette = {"#0072b2", "#d55e00", "#009e73", "#b5468c",
                                                   "#56a0d3", "#c78f00", "#444444", "#8c6d4f"};
 /// Point symbols: filled and open circle, square, triangle, diamond.
-constexpr std::array<int, 8> k_symbols = {7, 5, 9, 13, 6, 4, 8, 12};
+constexpr std::array<int, 8> k_symbols = {7, 5, 9, 13, 6, 4, 7, 12};
 constexpr double k_pixels_per_inch = 120.0;
 
 /// In single quotes, where gnuplot takes everything literally.

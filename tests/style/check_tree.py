@@ -26,7 +26,9 @@ BELOW = {
     "scenarios": {"src/core", "src/geometry", "src/model", "src/detect", "src/observe", "shapes"},
     "render": {"src/core", "src/geometry", "src/model", "src/observe", "src/run", "src/record"},
     "src/compare": {"src/core", "src/geometry", "src/model", "src/observe", "src/run", "src/record", "src/plot"},
-    "src/cli": {"src/core", "src/geometry", "src/model", "src/detect", "src/engines", "src/observe", "src/run", "src/record",
+    "src/reproduce": {"src/core", "src/geometry", "src/model", "src/detect", "src/engines", "src/run", "src/observe",
+                      "src/record", "src/plot", "src/theory", "shapes", "scenarios", "render"},
+    "src/cli": {"src/reproduce", "src/core", "src/geometry", "src/model", "src/detect", "src/engines", "src/observe", "src/run", "src/record",
                 "shapes", "scenarios", "render", "src/plot", "src/compare"},
 }
 ENGINE_BELOW = {"src/core", "src/geometry", "src/model", "src/detect"}
@@ -41,7 +43,7 @@ THIRD_PARTY = {
     r"CGAL/|boost/|gmp": {"shapes"},
     r"toml\+\+/|toml\.hpp": {"shapes", "scenarios"},
     r"hdf5": {"src/record", "tests"},
-    r"nlohmann/": {"src/record", "src/cli", "tests"},
+    r"nlohmann/": {"src/record", "src/reproduce", "src/cli", "tests"},
     r"cairo|png\.h|zlib\.h": {"render", "tests"},
     r"CLI/": {"src/cli"},
     r"box2d/": {"src/engines/box2d", "tests"},

@@ -1,0 +1,343 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/contact_sheet.h"
+#include "src/observe/bed.h"
+#include "src/observe/bridges.h"
+#include "src/observe/structure.h"
+#include "src/plot/plot.h"
+#include "src/record/trajectory_reader.h"
+#include "src/reproduce/recorded_run.h"
+#include "src/reproduce/simulation_figures.h"
+#include "src/reproduce/statistics.h"
+
+namespace polargrain {
+
+namespace {
+
+const Engines k_bin_engines{"contact", "contact-1994"};
+constexpr double k_frame = 0.005;  // between stored frames [s]
+
+/// One of the two bins.
+struct Bin {
+    std::string figure;  ///< "Fig. 16"
+    std::string scenario;
+    std::string grains;
+    unsigned seeds;
+    unsigned shown_seed;
+    Opening opening;
+    std::vector<double> snapshot_times;  ///< those printed [s]
+    std::string colour;                  ///< what the fill shows
+};
+
+const Bin& rough_bin() {
+    static const Bin bin{"Fig. 16",
+                         "bin-rough",
+                         "rough grains",
+                         8,
+                         4,
+                         {{0.2, 0.0}, {0.3, 0.0}},
+                         {0.0, 0.04, 0.10, 0.17, 0.29, 0.49, 0.57, 0.68, 0.79, 0.95},
+                         "speed"};
+    return bin;
+}
+
+const Bin& stick_bin() {
+    static const Bin bin{
+        "Fig. 17", "bin-sticks", "sticks", 6, 1, {{0.16, 0.0}, {0.28, 0.0}}, {0.0, 0.75, 1.0, 1.3, 1.7, 2.3, 3.0},
+        "angle"};
+    return bin;
+}
+
+Piece bin_piece(const Bin& bin, const std::string& engine, unsigned seed) {
+    return shipped_piece(bin.scenario, engine, seed,
+                         {fmt::format("output.trajectory.every={}", k_frame), "output.series.every=0.0"});
+}
+
+std::vector<Piece> bin_pieces(const Bin& bin, const Engines& engines) {
+    std::vector<Piece> pieces;
+    for (const std::string& engine : at_hand(k_bin_engines, engines)) {
+        for (unsigned seed = 1; seed <= bin.seeds; ++seed) pieces.push_back(bin_piece(bin, engine, seed));
+    }
+    return pieces;
+}
+
+/// What one run of a bin shows.
+struct BinRun {
+    Series out;                                        ///< grains out over time
+    std::vector<double> bridge_lives;                  ///< [s]
+    double standing_at_end = 0.0;                      ///< 1 where a bridge stands in the last frame
+    double last_out = 0.0;                             ///< [s] when the last grain left
+    std::vector<double> tilt_in_opening, tilt_in_bed;  ///< of long axes, from the vertical [degrees, 0 to 90]
+};
+
+/// Angle of a grain's long axis from gravity [degrees]; NaN where it has none.
+double tilt(const Scene& scene, const Grains& grains, GrainIndex k) {
+    const auto axis = long_axis(scene.shape_of(k));
+    if (!axis) return std::nan("");
+    const double angle = grains.angle[Grains::at(k)] + *axis;
+    return std::acos(std::min(1.0, std::abs(std::sin(angle)))) / k_radians_per_degree;
+}
+
+void add_tilts(BinRun& run, const Bin& bin, const Scene& scene, const Grains& grains) {
+    const Region above{{bin.opening.from.x(), 0.0}, {bin.opening.to.x(), 0.06}};
+    for (GrainIndex k = 0; k < grains.size(); ++k) {
+        const double angle = tilt(scene, grains, k);
+        if (!std::isfinite(angle)) return;
+        const Vec2 p = grains.position(k);
+        if (above.holds(p)) run.tilt_in_opening.push_back(angle);
+        if (p.y() > 0.06) run.tilt_in_bed.push_back(angle);
+    }
+}
+
+BinRun read_bin(const Bin& bin, const std::filesystem::path& folder, bool tilts) {
+    const TrajectoryReader recording(folder / "trajectory.h5");
+    const Scene& scene = recording.scene();
+    BridgeMeter bridges(scene, bin.opening, BridgeMeter::Measure::count);
+    BinRun run;
+    StepReport report;
+    double before = 0.0;
+    for (int f = 0; f < recording.frames(); ++f) {
+        StoredFrame frame = recording.frame(f);
+        const double time = frame.world.time;
+        const double out = count_out(scene, frame.world.grains);
+        if (f > 0 && out > run.out.y.back()) run.last_out = time;
+        run.out.x.push_back(time);
+        run.out.y.push_back(out);
+        report.contacts = std::move(frame.contacts);
+        if (f > 0) bridges.step(frame.world, time - before, report);
+        before = time;
+        if (tilts && f % 10 == 0) add_tilts(run, bin, scene, frame.world.grains);
+        if (f + 1 == recording.frames()) {
+            run.standing_at_end =
+                find_bridge(scene, frame.world.grains, report.contacts, bin.opening).empty() ? 0.0 : 1.0;
+        }
+    }
+    run.bridge_lives = bridges.lives();
+    return run;
+}
+
+FigurePicture draw_snapshots(const FigureDesk& desk, const Bin& bin, const std::string& id, const std::string& engine) {
+    const TrajectoryReader recording(desk.run(bin_piece(bin, engine, bin.shown_seed)) / "trajectory.h5");
+    FrameSettings settings;
+    settings.colour = bin.colour;
+    const double width = recording.scene().walls.back().points.back().x();
+    settings.view = {{-0.06, -0.25}, {std::max(width, 0.44) + 0.12, 0.62}};
+    const FrameStyle style =
+        make_frame_style(settings, recording.scene(),
+                         fmt::format("{}: {}, engine {}, seed {}", bin.figure, bin.grains, engine, bin.shown_seed));
+    std::vector<LabelledFrame> cells;
+    for (const double time : bin.snapshot_times) {
+        const int f = std::min(static_cast<int>(std::lround(time / k_frame)), recording.frames() - 1);
+        cells.push_back({f, fmt::format("{:.2f} s", time)});
+    }
+    ContactSheetSettings sheet;
+    sheet.columns = cells.size() > 8 ? 5 : 4;
+    sheet.width = 1800;
+    const auto stem = desk.stem(id + "-" + engine);
+    contact_sheet(recording, cells, style, stem.string() + ".png", sheet);
+    contact_sheet(recording, cells, style, stem.string() + ".pdf", sheet);
+    return {stem, fmt::format("{}: at the printed times, seed {}", engine, bin.shown_seed)};
+}
+
+/// Mean over seeds at each stored time, with the spread as error bars at some of them.
+Series mean_curve(const std::vector<BinRun>& runs, const std::string& engine, int colour) {
+    Series mean{.label = engine + ", mean and spread", .style = SeriesStyle::line, .colour = colour, .width = 3.0};
+    for (std::size_t f = 0; f < runs.front().out.x.size(); ++f) {
+        std::vector<double> values;
+        for (const BinRun& run : runs) values.push_back(f < run.out.y.size() ? run.out.y[f] : std::nan(""));
+        const MeanSpread m = mean_and_spread(values);
+        mean.x.push_back(runs.front().out.x[f]);
+        mean.y.push_back(m.mean);
+        mean.y_error.push_back(f % 20 == 0 ? m.spread : 0.0);
+    }
+    return mean;
+}
+
+std::vector<BinRun> read_runs(const FigureDesk& desk, const Bin& bin, const std::string& engine, bool tilts) {
+    std::vector<BinRun> runs;
+    for (unsigned seed = 1; seed <= bin.seeds; ++seed) {
+        runs.push_back(read_bin(bin, desk.run(bin_piece(bin, engine, seed)), tilts));
+    }
+    return runs;
+}
+
+template <typename Value>
+std::vector<double> over_seeds(const std::vector<BinRun>& runs, Value value) {
+    std::vector<double> values;
+    values.reserve(runs.size());
+    for (const BinRun& run : runs) values.push_back(value(run));
+    return values;
+}
+
+std::vector<double> all_lives(const std::vector<BinRun>& runs) {
+    std::vector<double> lives;
+    for (const BinRun& run : runs) lives.insert(lives.end(), run.bridge_lives.begin(), run.bridge_lives.end());
+    return lives;
+}
+
+std::vector<std::string> seed_row(const std::string& engine, unsigned seed, const BinRun& run) {
+    std::string lives;
+    for (const double life : run.bridge_lives) lives += fmt::format("{}{:.2f}", lives.empty() ? "" : ", ", life);
+    return {engine,
+            fmt::format("{}", seed),
+            fmt::format("{:.0f}", run.out.y.back()),
+            fmt::format("{:.2f}", run.last_out),
+            fmt::format("{}", run.bridge_lives.size()),
+            lives.empty() ? "none" : lives,
+            run.standing_at_end > 0.0 ? "yes" : "no"};
+}
+
+const std::vector<std::string> k_seed_header{
+    "engine", "seed", "grains out", "last one out at [s]", "bridges", "their lives [s]", "one stands at the end"};
+
+constexpr const char* k_frozen =
+    "rejected moves: the bed freezes where it touches itself, and gravity works on grains that do not move";
+
+void add_bridge_findings(std::vector<Finding>& findings, const std::string& engine, const std::vector<BinRun>& runs) {
+    const double end = runs.front().out.x.back();
+    const MeanSpread bridges =
+        mean_and_spread(over_seeds(runs, [](const BinRun& r) { return static_cast<double>(r.bridge_lives.size()); }));
+    const std::vector<double> lives = all_lives(runs);
+    const double lasting = mean_and_spread(over_seeds(runs, [](const BinRun& r) { return r.standing_at_end; })).mean *
+                           static_cast<double>(runs.size());
+    findings.push_back({engine, "bridges per run, mean over seeds", bridges.mean, 1.0, 1e3, "",
+                        "temporary bridges form above the opening", engine == "contact-1994" ? k_frozen : ""});
+    findings.push_back({engine, "bridges that collapse, share of all",
+                        lives.empty() ? std::nan("") : 1.0 - lasting / static_cast<double>(lives.size()), 0.5, 1.0, "",
+                        "each bridge collapses quickly", "the opening is on the edge of jamming, and bridges last"});
+    findings.push_back(
+        {engine, "seeds that flow in the last quarter, share",
+         mean_and_spread(over_seeds(runs, [&](const BinRun& r) { return r.last_out > 0.75 * end; })).mean, 0.5, 1.0, "",
+         "the printed run flows until its last picture",
+         "the opening is on the edge of jamming: some seeds block for good"});
+}
+
+/// Grains per second that the law of 2D silos gives for disks of the same mean size: Q = C (D/d - k)^1.5 in units of
+/// area sqrt(g) d^1.5 through the two measured points Q(6) = 8.05 and Q(10) = 20.6.
+double disks_per_second(const Scene& scene, const Opening& opening) {
+    const double d = 2.0 * mean_outer_radius(scene);
+    const double ratio = std::cbrt((20.6 / 8.05) * (20.6 / 8.05));
+    const double k = (6.0 * ratio - 10.0) / (ratio - 1.0);
+    const double c = 8.05 / std::sqrt((6.0 - k) * (6.0 - k) * (6.0 - k));
+    const double width = std::sqrt((opening.to - opening.from).squaredNorm());
+    const double over = std::max(0.0, width / d - k);
+    const double area = c * std::sqrt(over * over * over) * std::sqrt(9.81) * std::sqrt(d * d * d);
+    return area / (k_pi * d * d / 4.0);
+}
+
+Panel discharge_panel(const std::string& grains) {
+    return {.title = "discharge, each seed thin",
+            .x_label = "time since opening [s]",
+            .y_label = grains + " out",
+            .key = KeyPlace::top_left};
+}
+
+void add_discharge(Panel& panel, const std::vector<BinRun>& runs, const std::string& engine, int colour) {
+    for (const BinRun& run : runs) {
+        Series thin = run.out;
+        thin.colour = colour;
+        thin.width = 0.6;
+        panel.series.push_back(std::move(thin));
+    }
+    panel.series.push_back(mean_curve(runs, engine, colour));
+}
+
+}  // namespace
+
+std::vector<Piece> fig16_pieces(const Engines& engines) { return bin_pieces(rough_bin(), engines); }
+std::vector<Piece> fig17_pieces(const Engines& engines) { return bin_pieces(stick_bin(), engines); }
+
+FigureResult draw_fig16(const FigureDesk& desk) {
+    const Bin& bin = rough_bin();
+    FigureResult result;
+    Panel discharge = discharge_panel(bin.grains);
+    Panel lives{.title = "how long bridges live", .x_label = "life [s]", .y_label = "bridges, all seeds"};
+    FigureTable table{"Every run", k_seed_header, {}};
+    int colour = 0;
+    for (const std::string& engine : at_hand(k_bin_engines, desk.engines())) {
+        const std::vector<BinRun> runs = read_runs(desk, bin, engine, false);
+        result.pictures.push_back(draw_snapshots(desk, bin, "fig16", engine));
+        add_discharge(discharge, runs, engine, colour);
+        lives.series.push_back(histogram(all_lives(runs), 0.0, 1.0, 20, engine, colour++));
+        for (unsigned s = 0; s < runs.size(); ++s) table.rows.push_back(seed_row(engine, s + 1, runs[s]));
+        const TrajectoryReader recording(desk.run(bin_piece(bin, engine, 1)) / "trajectory.h5");
+        const double law = disks_per_second(recording.scene(), bin.opening) * runs.front().out.x.back();
+        result.findings.push_back(
+            {engine, "grains out after 1 s, mean over seeds",
+             mean_and_spread(over_seeds(runs, [](const BinRun& r) { return r.out.y.back(); })).mean, 0.4 * law,
+             1.1 * law, "",
+             fmt::format("law of 2D silos for disks of that size: {:.0f}; rough grains interlock, so up to 60 % fewer",
+                         law),
+             engine == "contact-1994" ? k_frozen : ""});
+        add_bridge_findings(result.findings, engine, runs);
+    }
+    write_plot({"Fig. 16: rough grains out of a square bin", {discharge, lives}, 2, 1400, 560},
+               desk.stem("fig16-flow"));
+    result.pictures.push_back({desk.stem("fig16-flow"), "Discharge over seeds, and life times of bridges"});
+    result.paragraphs = {
+        fmt::format("500 rough grains, μ = 0.2 among them and against the walls, out of a bin whose opening is five "
+                    "diameters wide; {} "
+                    "seeds. A bridge is a chain of resting grains in contact from one side of the opening to the "
+                    "other; one counts if it "
+                    "lives longer than a grain takes to fall its own size. Frames are stored every 5 ms.",
+                    bin.seeds)};
+    result.tables = {std::move(table)};
+    return result;
+}
+
+FigureResult draw_fig17(const FigureDesk& desk) {
+    const Bin& bin = stick_bin();
+    FigureResult result;
+    Panel discharge = discharge_panel(bin.grains);
+    Panel orientation{.title = "long axes, angle from the vertical",
+                      .x_label = "angle from the vertical [°]",
+                      .y_label = "share per 10°",
+                      .key = KeyPlace::top_right};
+    FigureTable table{"Every run", k_seed_header, {}};
+    int colour = 0;
+    for (const std::string& engine : at_hand(k_bin_engines, desk.engines())) {
+        const std::vector<BinRun> runs = read_runs(desk, bin, engine, true);
+        result.pictures.push_back(draw_snapshots(desk, bin, "fig17", engine));
+        add_discharge(discharge, runs, engine, colour);
+        std::vector<double> opening, bed;
+        for (const BinRun& run : runs) {
+            opening.insert(opening.end(), run.tilt_in_opening.begin(), run.tilt_in_opening.end());
+            bed.insert(bed.end(), run.tilt_in_bed.begin(), run.tilt_in_bed.end());
+        }
+        for (const auto& [angles, where, dashed] :
+             {std::tuple{&opening, "in the opening", false}, {&bed, "in the bed", true}}) {
+            Series shares = histogram(*angles, 0.0, 90.0, 9, engine + ", " + where, colour);
+            for (double& count : shares.y) count /= std::max(1.0, static_cast<double>(angles->size()));
+            shares.style = dashed ? SeriesStyle::dashed : SeriesStyle::line_points;
+            orientation.series.push_back(std::move(shares));
+        }
+        ++colour;
+        const auto order = [](const std::vector<double>& angles) {
+            std::vector<double> cosines;
+            for (const double a : angles) cosines.push_back(std::cos(2.0 * a * k_radians_per_degree));
+            return mean_and_spread(cosines).mean;
+        };
+        for (unsigned s = 0; s < runs.size(); ++s) table.rows.push_back(seed_row(engine, s + 1, runs[s]));
+        result.findings.push_back({engine, "order along the flow in the opening, <cos 2α>", order(opening), 0.05, 1.0,
+                                   "", "[HN94, sec. 4.3.2]: grains align through the opening",
+                                   "blocked: what lies in the opening is a bridge, across the flow"});
+        result.findings.push_back({engine, "the same in the bed above", order(bed), -1.0, 0.0, "",
+                                   "settled sticks lie flat, [HN94, Fig. 17 at 0 s]", ""});
+        add_bridge_findings(result.findings, engine, runs);
+    }
+    write_plot({"Fig. 17: sticks out of a square bin", {discharge, orientation}, 2, 1400, 560},
+               desk.stem("fig17-flow"));
+    result.pictures.push_back({desk.stem("fig17-flow"), "Discharge over seeds, and directions of the sticks"});
+    result.paragraphs = {fmt::format(
+        "160 sticks 5 times as long as wide; μ 0.4 and e 0.3 among them, 0.3 and 0.5 against the walls; {} seeds. The "
+        "opening "
+        "is 2.4 stick lengths wide: the paper does not say how wide its own is. Bridges are counted as in Fig. 16.",
+        bin.seeds)};
+    result.tables = {std::move(table)};
+    return result;
+}
+
+}  // namespace polargrain

@@ -1,0 +1,358 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/contact_sheet.h"
+#include "src/plot/plot.h"
+#include "src/record/trajectory_reader.h"
+#include "src/reproduce/dominoes.h"
+#include "src/reproduce/recorded_run.h"
+#include "src/reproduce/simulation_figures.h"
+#include "src/reproduce/statistics.h"
+#include "src/theory/domino_chain.h"
+#include "src/theory/domino_theory.h"
+
+namespace polargrain {
+
+namespace {
+
+constexpr double k_rough_table = 1.5;
+constexpr double k_step = 3e-4;  // of the chain's curves
+const std::vector<double> k_gaps{1.0, 2.0, 3.0, 4.0, 5.0};
+const std::vector<double> k_table_frictions{0.3, 0.5, 1.5};
+const Engines k_domino_engines{"contact", "contact-1994"};
+constexpr const char* k_x_label = "spacing λ / h";
+constexpr const char* k_y_label = "natural speed V / √(g L)";
+
+/// Speed over spacing, from a function of the row.
+template <typename Theory>
+Series curve(const std::string& label, SeriesStyle style, int colour, Theory speed) {
+    Series series{.label = label, .style = style, .colour = colour};
+    for (double gap = 1.0; gap <= 5.0 + 1e-9; gap += 0.25) {
+        series.x.push_back(gap);
+        series.y.push_back(speed(gap));
+    }
+    return series;
+}
+
+Series measured(const FigureDesk& desk, const DominoKind& kind, double table_friction, const std::string& engine,
+                const std::string& label, int colour) {
+    Series series{.label = label, .style = SeriesStyle::points, .colour = colour};
+    for (const double gap : k_gaps) {
+        series.x.push_back(gap);
+        series.y.push_back(
+            read_run(desk.run(domino_piece(kind, gap, table_friction, engine))).observable("domino_speed"));
+    }
+    return series;
+}
+
+/// The lower and the upper of the theories that bracket a rough floor: the group, whose collisions are plastic, and the
+/// chain, whose impacts keep all the restitution of Table 1.
+Finding held_to_theories(const std::string& engine, const DominoKind& kind, double gap, double speed, double chain) {
+    const double group = group_theory_speed(kind.row(gap));
+    Finding finding{
+        engine,
+        fmt::format("{}, spacing {} h: V / √(g L)", kind.name, gap),
+        speed,
+        0.97 * std::min(group, chain),
+        1.03 * std::max(group, chain),
+        "",
+        fmt::format("between group theory ({:.3f}) and pinned-foot chain ({:.3f}), 3 % besides", group, chain),
+        ""};
+    if (engine == "contact-1994") {
+        finding.why =
+            "rejected moves: many collisions between neighbours in each step leave dominoes where they are, as the "
+            "paper "
+            "says of spacings below 1.5 h";
+    }
+    return finding;
+}
+
+Panel material_panel(const FigureDesk& desk, const DominoKind& kind, std::vector<Finding>& findings) {
+    Panel panel{.title = fmt::format("{}: h / L {:.3f}, e {}, μ {}", kind.name, kind.thickness / kind.height,
+                                     kind.restitution, kind.friction),
+                .x_label = k_x_label,
+                .y_label = k_y_label,
+                .x_range = std::pair{0.8, 5.2},
+                .y_range = std::pair{0.0, 2.2},
+                .key = KeyPlace::bottom_left};
+    const Series chain = curve("pinned-foot chain, Table 1's e and μ", SeriesStyle::line, 2,
+                               [&](double gap) { return pinned_chain_speed(kind.row(gap), 70, k_step); });
+    panel.series.push_back(curve("group theory with friction", SeriesStyle::line, 6,
+                                 [&](double gap) { return group_theory_speed(kind.row(gap)); }));
+    panel.series.push_back(chain);
+    panel.series.push_back(curve("single-collision theory", SeriesStyle::dashed, 5,
+                                 [&](double gap) { return single_collision_speed(kind.row(gap)); }));
+    int colour = 0;
+    for (const std::string& engine : at_hand(k_domino_engines, desk.engines())) {
+        const Series points = measured(desk, kind, k_rough_table, engine, engine, colour++);
+        for (std::size_t k = 0; k < points.x.size(); ++k) {
+            const auto same_gap = std::find(chain.x.begin(), chain.x.end(), points.x[k]) - chain.x.begin();
+            findings.push_back(
+                held_to_theories(engine, kind, points.x[k], points.y[k], chain.y[static_cast<std::size_t>(same_gap)]));
+        }
+        panel.series.push_back(points);
+    }
+    return panel;
+}
+
+Panel floor_panel(const FigureDesk& desk) {
+    const DominoKind& kind = table_1().front();
+    Panel panel{.title = "Opalene on tables of different friction",
+                .x_label = k_x_label,
+                .y_label = k_y_label,
+                .x_range = std::pair{0.8, 5.2},
+                .y_range = std::pair{0.0, 2.2},
+                .key = KeyPlace::bottom_left};
+    int colour = 0;
+    for (const std::string& engine : at_hand(k_domino_engines, desk.engines())) {
+        for (const double friction : k_table_frictions) {
+            panel.series.push_back(
+                measured(desk, kind, friction, engine, fmt::format("{}, table μ {}", engine, friction), colour++));
+        }
+    }
+    DominoRow printed{0.12, 0.0, 0.0, 0.2};
+    panel.series.push_back(
+        curve("the paper's curve: group theory, h / L 0.12, μ 0.2", SeriesStyle::line, 6, [&](double gap) {
+            printed.gap = gap * printed.thickness;
+            return group_theory_speed(printed);
+        }));
+    return panel;
+}
+
+FigureTable floor_table(const FigureDesk& desk) {
+    FigureTable table{"V / √(g L) of Opalene over the friction of the table", {"engine", "table μ"}, {}};
+    for (const double gap : k_gaps) table.header.push_back(fmt::format("λ = {} h", gap));
+    for (const std::string& engine : at_hand(k_domino_engines, desk.engines())) {
+        for (const double friction : k_table_frictions) {
+            const Series s = measured(desk, table_1().front(), friction, engine, "", 0);
+            std::vector<std::string> row{engine, fmt::format("{}", friction)};
+            for (const double v : s.y) row.push_back(std::isfinite(v) ? fmt::format("{:.3f}", v) : "no wave");
+            table.rows.push_back(std::move(row));
+        }
+    }
+    return table;
+}
+
+// ---- Fig. 12 ----
+
+constexpr double k_snapshot_gap = 1.7;
+constexpr double k_frame = 1e-3;  // between stored frames [s]
+constexpr int k_first_shown = 14;
+const std::vector<double> k_snapshot_times{0.0, 7e-3, 14e-3, 19e-3, 26e-3, 33e-3, 39e-3, 46e-3, 53e-3, 59e-3};
+
+Piece snapshot_piece(const std::string& engine) {
+    return domino_piece(table_1().front(), k_snapshot_gap, k_rough_table, engine, k_frame);
+}
+
+/// Frame at which each domino has first turned by more than 0.02 rad; -1 where it never does.
+std::vector<int> struck_frames(const TrajectoryReader& recording) {
+    std::vector<int> struck(recording.scene().grains.x.size(), -1);
+    const std::vector<double> start = recording.scene().grains.angle;
+    for (int f = 0; f < recording.frames(); ++f) {
+        const StoredFrame frame = recording.frame(f);
+        for (std::size_t k = 0; k < struck.size(); ++k) {
+            if (struck[k] < 0 && std::abs(frame.world.grains.angle[k] - start[k]) > 0.02) struck[k] = f;
+        }
+    }
+    return struck;
+}
+
+/// How often each pair of neighbours in the steady half comes into contact until both have turned by a quarter radian:
+/// stored contacts that follow a stored frame without one.
+std::vector<double> contact_counts(const TrajectoryReader& recording) {
+    const int count = static_cast<int>(recording.scene().grains.x.size());
+    std::vector<double> times(static_cast<std::size_t>(count), 0.0);
+    std::vector<char> before(static_cast<std::size_t>(count), 0);
+    for (int f = 0; f < recording.frames(); ++f) {
+        const StoredFrame frame = recording.frame(f);
+        std::vector<char> now(static_cast<std::size_t>(count), 0);
+        for (const Contact& c : frame.contacts) {
+            if (is_wall(c.a) || c.b != c.a + 1) continue;
+            now[static_cast<std::size_t>(c.a)] =
+                std::abs(frame.world.grains.angle[static_cast<std::size_t>(c.b)]) < 0.25;
+        }
+        for (std::size_t k = 0; k < now.size(); ++k) times[k] += now[k] && !before[k];
+        before = now;
+    }
+    return {times.begin() + count / 2, times.end() - 2};
+}
+
+FigurePicture draw_snapshots(const FigureDesk& desk, const std::string& engine, const TrajectoryReader& recording,
+                             int zero) {
+    const DominoKind& kind = table_1().front();
+    const double pitch = kind.thickness * (1.0 + k_snapshot_gap);
+    FrameSettings settings;
+    settings.colour = "speed";
+    settings.colour_max = 1.0;
+    settings.view = {{(k_first_shown - 6.5) * pitch, -0.006}, {(k_first_shown + 6.0) * pitch, 0.055}};
+    const FrameStyle style = make_frame_style(settings, recording.scene(),
+                                              fmt::format("Fig. 12: Opalene, spacing 1.7 h, engine {}", engine));
+    std::vector<LabelledFrame> cells;
+    for (const double time : k_snapshot_times) {
+        const int f = std::min(zero + static_cast<int>(std::lround(time / k_frame)), recording.frames() - 1);
+        cells.push_back({f, fmt::format("{:.0f} ms", 1e3 * time)});
+    }
+    ContactSheetSettings sheet;
+    sheet.columns = 2;
+    sheet.width = 1500;
+    const auto stem = desk.stem("fig12-" + engine);
+    contact_sheet(recording, cells, style, stem.string() + ".png", sheet);
+    contact_sheet(recording, cells, style, stem.string() + ".pdf", sheet);
+    return {stem,
+            fmt::format("{}: the row at the printed times; zero is when domino {} is struck", engine, k_first_shown)};
+}
+
+}  // namespace
+
+std::vector<Piece> fig11_pieces(const Engines& engines) {
+    std::vector<Piece> pieces;
+    for (const std::string& engine : at_hand(k_domino_engines, engines)) {
+        for (const DominoKind& kind : table_1()) {
+            for (const double gap : k_gaps) pieces.push_back(domino_piece(kind, gap, k_rough_table, engine));
+        }
+        for (const double friction : k_table_frictions) {
+            for (const double gap : k_gaps) pieces.push_back(domino_piece(table_1().front(), gap, friction, engine));
+        }
+    }
+    return pieces;
+}
+
+FigureResult draw_fig11(const FigureDesk& desk) {
+    FigureResult result;
+    Plot plot{.title = "Fig. 11: natural speed of toppling dominoes", .columns = 2, .width = 1500, .height = 1150};
+    for (const DominoKind& kind : table_1()) plot.panels.push_back(material_panel(desk, kind, result.findings));
+    plot.panels.push_back(floor_panel(desk));
+    write_plot(plot, desk.stem("fig11"));
+    result.paragraphs = {
+        "Rows of 48 dominoes of Table 1, spaced 1 to 5 thicknesses; the speed is that over the second half of the row, "
+        "23 "
+        "pitches. The theories take the feet as pinned: the table has μ = 1.5 in the first three panels. The fourth "
+        "shows "
+        "what an ordinary table does: struck feet slide, and the chain no longer holds.",
+        "The experiments of Stronge and Shu that the paper plots are not printed as numbers; the paper's statement is "
+        "that "
+        "simulation, experiment and group theory agree, best above a spacing of 1.5 h."};
+    result.pictures = {{desk.stem("fig11"), "Speed over spacing: engines, and three theories computed by the program"}};
+    result.tables = {floor_table(desk)};
+    return result;
+}
+
+std::vector<Piece> fig12_pieces(const Engines& engines) {
+    std::vector<Piece> pieces;
+    for (const std::string& engine : at_hand(k_domino_engines, engines)) pieces.push_back(snapshot_piece(engine));
+    return pieces;
+}
+
+FigureResult draw_fig12(const FigureDesk& desk) {
+    FigureResult result;
+    const DominoKind& kind = table_1().front();
+    const double pitch = kind.thickness * (1.0 + k_snapshot_gap);
+    const double chain = pinned_chain_speed(kind.row(k_snapshot_gap), 70, k_step);
+    Panel wave{
+        .title = "when each domino is struck", .x_label = "domino", .y_label = "time [s]", .key = KeyPlace::top_left};
+    Panel contacts{.title = "how often neighbours meet",
+                   .x_label = "times in contact until turned by 0.25 rad",
+                   .y_label = "pairs of neighbours"};
+    int colour = 0;
+    for (const std::string& engine : at_hand(k_domino_engines, desk.engines())) {
+        const auto folder = desk.run(snapshot_piece(engine));
+        const TrajectoryReader recording(folder / "trajectory.h5");
+        const std::vector<int> struck = struck_frames(recording);
+        const int zero = std::max(0, struck[k_first_shown]);
+        result.pictures.push_back(draw_snapshots(desk, engine, recording, zero));
+        Series line{.label = engine, .style = SeriesStyle::line_points, .colour = colour};
+        for (std::size_t k = 0; k < struck.size(); ++k) {
+            line.x.push_back(static_cast<double>(k));
+            line.y.push_back(struck[k] < 0 ? std::nan("") : k_frame * struck[k]);
+        }
+        wave.series.push_back(line);
+        const std::vector<double> counts = contact_counts(recording);
+        contacts.series.push_back(histogram(counts, 0.5, 10.5, 10, engine, colour++));
+        const auto once = std::count(counts.begin(), counts.end(), 1.0);
+        const double speed = read_run(folder).observable("domino_speed");
+        result.findings.push_back({engine, "speed V / √(g L) at spacing 1.7 h", speed, 1.45, 1.65, "",
+                                   fmt::format("four physics engines 1.45 to 1.65; chain {:.3f}, group theory {:.3f}",
+                                               chain, group_theory_speed(kind.row(k_snapshot_gap))),
+                                   engine == "contact-1994" ? "moves rejected while neighbours touch" : ""});
+        result.findings.push_back(
+            {engine, "dominoes that the wave passes in the printed 59 ms", speed * kind.speed_unit() * 0.059 / pitch,
+             0.94 * chain * kind.speed_unit() * 0.059 / pitch, 1.06 * chain * kind.speed_unit() * 0.059 / pitch, "",
+             "pinned-foot chain within 6 %", ""});
+        result.findings.push_back({engine, "pairs that meet more than once, share of all",
+                                   1.0 - static_cast<double>(once) / static_cast<double>(counts.size()), 0.05, 1.0, "",
+                                   "[HN94, sec. 4.1]: single and multiple collisions and sliding contacts side by side",
+                                   ""});
+    }
+    write_plot({"Fig. 12: the wave", {wave, contacts}, 2, 1300, 480}, desk.stem("fig12-wave"));
+    result.pictures.push_back({desk.stem("fig12-wave"), "The wave, and how often neighbours come into contact"});
+    result.paragraphs = {
+        fmt::format("Opalene dominoes at λ = 1.7 h on a table with μ = 1.5. The paper's ten frames span 59 ms, in "
+                    "which the wave passes "
+                    "{:.1f} dominoes by the chain theory: its time zero must lie in the steady wave. Ours is the "
+                    "instant at which domino "
+                    "{} is struck. Frames are stored every millisecond.",
+                    chain * kind.speed_unit() * 0.059 / pitch, k_first_shown)};
+    return result;
+}
+
+std::vector<Piece> table1_pieces(const Engines& engines) {
+    std::vector<Piece> pieces;
+    const Engines chosen = at_hand({"contact"}, engines);
+    for (const DominoKind& kind : table_1()) {
+        for (const std::string& engine : chosen) pieces.push_back(domino_piece(kind, 2.0, k_rough_table, engine, 0.05));
+    }
+    return pieces;
+}
+
+FigureResult draw_table1(const FigureDesk& desk) {
+    FigureResult result;
+    FigureTable table{
+        "Dominoes, as the stored runs carry them",
+        {"type", "L [mm]", "h [mm]", "h / L", "e", "μ", "mass [kg/m]", "inertia [kg m]", "falls beyond [°]"},
+        {}};
+    Panel panel{
+        .title = "group theory with friction, from Table 1's values", .x_label = k_x_label, .y_label = k_y_label};
+    int colour = 0;
+    for (const DominoKind& kind : table_1()) {
+        const Piece piece = domino_piece(kind, 2.0, k_rough_table, "contact", 0.05);
+        const TrajectoryReader recording(desk.run(piece) / "trajectory.h5");
+        const Scene& scene = recording.scene();
+        const auto& outline = std::get<PolarPolygon>(scene.shape_of(1));
+        double width = 0.0, height = 0.0;
+        for (const Vec2& v : outline.vertices()) {
+            width = std::max(width, 2.0 * std::abs(v.x()));
+            height = std::max(height, 2.0 * std::abs(v.y()));
+        }
+        const Material& material = scene.materials[scene.grains.material[1]];
+        const double mass = scene.grains.mass[1], inertia = scene.grains.inertia[1];
+        const auto near = [&](const std::string& quantity, double value, double expected, const std::string& against) {
+            result.findings.push_back({"", kind.name + ": " + quantity, value, expected * (1.0 - 1e-12),
+                                       expected * (1.0 + 1e-12), "", against, ""});
+        };
+        near("L [mm]", 1e3 * height, 1e3 * kind.height, "[HN94, Table 1]");
+        near("h [mm]", 1e3 * width, 1e3 * kind.thickness, "[HN94, Table 1]");
+        near("e", material.restitution.mean, kind.restitution, "[HN94, Table 1]");
+        near("μ", material.friction, kind.friction, "[HN94, Table 1]");
+        near("inertia over m (L² + h²) / 12", inertia / (mass * (width * width + height * height) / 12.0), 1.0,
+             "closed form");
+        table.rows.push_back({kind.name, fmt::format("{:.1f}", 1e3 * height), fmt::format("{:.1f}", 1e3 * width),
+                              fmt::format("{:.4f}", width / height), fmt::format("{}", material.restitution.mean),
+                              fmt::format("{}", material.friction), fmt::format("{:.5f}", mass),
+                              fmt::format("{:.4e}", inertia),
+                              fmt::format("{:.2f}", std::atan(width / height) * 180.0 / M_PI)});
+        panel.series.push_back(curve(kind.name, SeriesStyle::line, colour++,
+                                     [&](double gap) { return group_theory_speed(kind.row(gap)); }));
+    }
+    write_plot({"Table 1: what its values lead to", {panel}, 1, 900, 560}, desk.stem("table1"));
+    result.paragraphs = {
+        "The values of Table 1, read back from the recordings of the runs that use them, with what follows from them. "
+        "The "
+        "dominoes have 24 vertices along their sides."};
+    result.tables = {std::move(table)};
+    result.pictures = {{desk.stem("table1"), "Speed that theory gives for the three kinds"}};
+    return result;
+}
+
+}  // namespace polargrain

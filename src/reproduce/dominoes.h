@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/reproduce/piece.h"
+#include "src/theory/domino_row.h"
+
+namespace polargrain {
+
+/// The dominoes of [HN94, Table 1].
+struct DominoKind {
+    std::string name;
+    double height = 0.0, thickness = 0.0;  ///< L and h [m]
+    double restitution = 0.0, friction = 0.0;
+
+    /// gap: lambda / h.
+    DominoRow row(double gap) const;
+    /// Metres per second of V / sqrt(g L) = 1.
+    double speed_unit() const;
+};
+
+const std::vector<DominoKind>& table_1();
+
+/// A row of 48 dominoes of one kind on a table of its own friction; the first leans and turns.
+///
+/// The dominoes stand; the first hangs a four-hundredth of its height above the table, because the literal method never
+/// lets go of a grain that rests on something. Restitution against the table is that of the dominoes. `recorded`: the
+/// interval between stored frames [s], 0 for none.
+Piece domino_piece(const DominoKind& kind, double gap, double table_friction, const std::string& engine,
+                   double recorded = 0.0);
+
+}  // namespace polargrain
