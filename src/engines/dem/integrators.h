@@ -153,6 +153,8 @@ struct Numerov {
     template <typename Equations>
     void step(Equations& equations, MotionState& s, double h) {
         const std::size_t n = s.x.size();
+        still_.assign(n, 0.0);
+        a_next_.resize(n);
         if (memory.size() != 3 * n + 1 || memory[0] != h) start(equations, s, h);
         double* before = memory.data() + 1;
         double* a_before = before + n;
@@ -187,8 +189,6 @@ private:
     template <typename Equations>
     void start(Equations& equations, const MotionState& s, double h) {
         const std::size_t n = s.x.size();
-        still_.assign(n, 0.0);
-        a_next_.assign(n, 0.0);
         std::vector<double> before(n);
         for (std::size_t k = 0; k < n; ++k) before[k] = s.x[k] - h * (s.v[k] - 0.5 * h * s.a[k]);
         std::vector<double> a_before(n);

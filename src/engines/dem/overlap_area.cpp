@@ -9,6 +9,10 @@ namespace polargrain {
 
 namespace {
 
+/// Angle [rad] by which one of the two is turned: boxes laid exactly on one another, with sides in one line, have no
+/// crossing points. Forces stay the exact gradient of an energy, that of the turned outline.
+constexpr double k_nudge = 1e-10;
+
 /// Edges with an end whose station along the unit direction (of the grain's frame) exceeds the limit, in the order of
 /// the outline. `place` takes the grain's frame to that of the result.
 template <typename Place>
@@ -49,8 +53,9 @@ std::span<const OverlapRegion> OverlapArea::find(const PolarPolygon& a, const Po
     // What both have in common lies between the two lines across the way that bound them.
     gather_edges(
         a, towards, distance - reach_b, [](const Vec2& v) { return v; }, a_);
+    const Pose nudged{pose.centre, pose.cosine - k_nudge * pose.sine, pose.sine + k_nudge * pose.cosine};
     gather_edges(
-        b, back, distance - reach_a, [&pose](const Vec2& v) { return pose.to_world(v); }, b_);
+        b, back, distance - reach_a, [&nudged](const Vec2& v) { return nudged.to_world(v); }, b_);
     find_regions();
     return regions_;
 }
@@ -62,7 +67,8 @@ std::span<const OverlapRegion> OverlapArea::find(std::span<const Vec2, 4> a, con
         b, inward, inward.dot(a[0]), [](const Vec2& v) { return v; }, b_);
     if (b_.empty()) return regions_;
     a_.clear();
-    for (std::size_t k = 0; k < a.size(); ++k) a_.push_back({a[k], a[(k + 1) % a.size()]});
+    const auto nudged = [&a](std::size_t k) { return Vec2(a[k] + k_nudge * left_normal(a[k])); };
+    for (std::size_t k = 0; k < a.size(); ++k) a_.push_back({nudged(k), nudged((k + 1) % a.size())});
     find_regions();
     return regions_;
 }
