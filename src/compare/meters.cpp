@@ -7,6 +7,7 @@
 
 #include "src/observe/bed.h"
 #include "src/observe/deepest_overlap.h"
+#include "src/run/settle.h"
 
 namespace polargrain {
 
@@ -37,6 +38,7 @@ Meters::Meters(const Scene& scene, const std::vector<Expectation>& expectations,
     add_own("touching_pairs", "", Statistic::mean);
     add_own("overlap_percent_of_diameter", "%", Statistic::maximum);
     add_own("flow_stopped", "", Statistic::last);
+    add_own("rest_energy", "", Statistic::last);
     add("kinetic_energy_per_grain", Statistic::mean);
     add("centre_of_mass_x", Statistic::last);
     add("centre_of_mass_y", Statistic::last);
@@ -94,6 +96,7 @@ std::vector<double> Meters::read(const Sample& sample) {
         touching_pairs(sample.report.contacts),
         100.0 * deepest_overlap(scene_, sample.world) / mean_diameter_,
         stopped(sample),
+        rest_energy(scene_, grains),
     };
     for (Observer& observer : observers_) readings.push_back(observer.read(sample));
     for (std::size_t q = 0; q < readings.size(); ++q) reductions_[q].add(sample.world.time, readings[q]);

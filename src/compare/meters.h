@@ -18,9 +18,10 @@ struct Quantity {
 
 /// Everything that a run is compared by, measured alike for every engine.
 ///
-/// Kinetic and potential energy per grain, centre of mass, grains out and whether their flow has stopped, pairs that
-/// touch, the deepest overlap of the whole outlines by our own predicate at that instant (whatever the engine
-/// believes), moves rejected, energy created; then what the scenario expects, and what it observes.
+/// Kinetic and potential energy per grain, how near to rest (rest_energy of src/run/settle.h), centre of mass, grains
+/// out and whether their flow has stopped, pairs that touch, the deepest overlap of the whole outlines by our own
+/// predicate at that instant (whatever the engine believes), moves rejected, energy created; then what the scenario
+/// expects, and what it observes.
 class Meters {
 public:
     /// The scene and the expectations outlive it.

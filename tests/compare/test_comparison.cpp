@@ -56,7 +56,8 @@ TEST(Track, IsTakenOnOneClockWhateverTheStep) {
     }
     // The same initial state, bit for bit.
     for (std::size_t q = 0; q < a.quantities.size(); ++q) {
-        if (std::isfinite(a.readings[0][q])) EXPECT_EQ(a.readings[0][q], b.readings[0][q]) << a.quantities[q].name;
+        if (!std::isfinite(a.readings[0][q])) continue;
+        EXPECT_EQ(a.readings[0][q], b.readings[0][q]) << a.quantities[q].name;
     }
     EXPECT_EQ(state_hash(a.moments[0].world), state_hash(b.moments[0].world));
 }
