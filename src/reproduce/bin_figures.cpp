@@ -254,14 +254,17 @@ FigureResult draw_fig16(const FigureDesk& desk) {
     const Bin& bin = rough_bin();
     FigureResult result;
     Panel discharge = discharge_panel(bin.grains);
-    Panel lives{.title = "how long bridges live", .x_label = "life [s]", .y_label = "bridges, all seeds"};
+    Panel lives{
+        .title = "how long bridges live", .x_label = "life [s]", .y_label = "bridges per tenth of a second, all seeds"};
     FigureTable table{"Every run", k_seed_header, {}};
     int colour = 0;
     for (const std::string& engine : at_hand(k_bin_engines, desk.engines())) {
         const std::vector<BinRun> runs = read_runs(desk, bin, engine, false);
         result.pictures.push_back(draw_snapshots(desk, bin, "fig16", engine));
         add_discharge(discharge, runs, engine, colour);
-        lives.series.push_back(histogram(all_lives(runs), 0.0, 1.0, 20, engine, colour++));
+        Series counts = histogram(all_lives(runs), 0.0, 1.0, 10, engine, colour++);
+        counts.style = SeriesStyle::line_points;
+        lives.series.push_back(std::move(counts));
         for (unsigned s = 0; s < runs.size(); ++s) table.rows.push_back(seed_row(engine, s + 1, runs[s]));
         const TrajectoryReader recording(desk.run(bin_piece(bin, engine, 1)) / "trajectory.h5");
         const double law = disks_per_second(recording.scene(), bin.opening) * runs.front().out.x.back();

@@ -27,9 +27,9 @@ constexpr const char* k_y_label = "natural speed V / √(g L)";
 
 /// Speed over spacing, from a function of the row.
 template <typename Theory>
-Series curve(const std::string& label, SeriesStyle style, int colour, Theory speed) {
+Series curve(const std::string& label, SeriesStyle style, int colour, Theory speed, double gap_step = 0.25) {
     Series series{.label = label, .style = style, .colour = colour};
-    for (double gap = 1.0; gap <= 5.0 + 1e-9; gap += 0.25) {
+    for (double gap = 1.0; gap <= 5.0 + 1e-9; gap += gap_step) {
         series.x.push_back(gap);
         series.y.push_back(speed(gap));
     }
@@ -75,10 +75,11 @@ Panel material_panel(const FigureDesk& desk, const DominoKind& kind, std::vector
                 .x_label = k_x_label,
                 .y_label = k_y_label,
                 .x_range = std::pair{0.8, 5.2},
-                .y_range = std::pair{0.0, 2.2},
-                .key = KeyPlace::bottom_left};
-    const Series chain = curve("pinned-foot chain, Table 1's e and μ", SeriesStyle::line, 2,
-                               [&](double gap) { return pinned_chain_speed(kind.row(gap), 70, k_step); });
+                .y_range = std::pair{0.0, 2.8},
+                .key = KeyPlace::top_right};
+    const Series chain = curve(
+        "pinned-foot chain, Table 1's e and μ", SeriesStyle::line, 2,
+        [&](double gap) { return pinned_chain_speed(kind.row(gap), 70, k_step); }, 0.5);
     panel.series.push_back(curve("group theory with friction", SeriesStyle::line, 6,
                                  [&](double gap) { return group_theory_speed(kind.row(gap)); }));
     panel.series.push_back(chain);
@@ -103,8 +104,8 @@ Panel floor_panel(const FigureDesk& desk) {
                 .x_label = k_x_label,
                 .y_label = k_y_label,
                 .x_range = std::pair{0.8, 5.2},
-                .y_range = std::pair{0.0, 2.2},
-                .key = KeyPlace::bottom_left};
+                .y_range = std::pair{0.0, 2.8},
+                .key = KeyPlace::top_right};
     int colour = 0;
     for (const std::string& engine : at_hand(k_domino_engines, desk.engines())) {
         for (const double friction : k_table_frictions) {
@@ -250,8 +251,11 @@ FigureResult draw_fig12(const FigureDesk& desk) {
     const DominoKind& kind = table_1().front();
     const double pitch = kind.thickness * (1.0 + k_snapshot_gap);
     const double chain = pinned_chain_speed(kind.row(k_snapshot_gap), 70, k_step);
-    Panel wave{
-        .title = "when each domino is struck", .x_label = "domino", .y_label = "time [s]", .key = KeyPlace::top_left};
+    Panel wave{.title = "when each domino is struck",
+               .x_label = "domino",
+               .y_label = "time [s]",
+               .x_range = std::pair{0.0, 48.0},
+               .key = KeyPlace::top_left};
     Panel contacts{.title = "how often neighbours meet",
                    .x_label = "times in contact until turned by 0.25 rad",
                    .y_label = "pairs of neighbours"};
@@ -269,7 +273,9 @@ FigureResult draw_fig12(const FigureDesk& desk) {
         }
         wave.series.push_back(line);
         const std::vector<double> counts = contact_counts(recording);
-        contacts.series.push_back(histogram(counts, 0.5, 10.5, 10, engine, colour++));
+        Series meetings = histogram(counts, 0.5, 8.5, 8, engine, colour++);
+        meetings.style = SeriesStyle::line_points;
+        contacts.series.push_back(std::move(meetings));
         const auto once = std::count(counts.begin(), counts.end(), 1.0);
         const double speed = read_run(folder).observable("domino_speed");
         result.findings.push_back({engine, "speed V / √(g L) at spacing 1.7 h", speed, 1.45, 1.65, "",

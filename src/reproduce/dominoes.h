@@ -22,7 +22,7 @@ struct DominoKind {
 
 const std::vector<DominoKind>& table_1();
 
-/// A row of 48 dominoes of one kind on a table of its own friction; the first leans and turns.
+/// A row of 48 dominoes of one kind on a table of its own friction; the first leans, and turns at sqrt(g / L).
 ///
 /// The dominoes stand; the first hangs a four-hundredth of its height above the table, because the literal method never
 /// lets go of a grain that rests on something. Restitution against the table is that of the dominoes. `recorded`: the

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "shapes/outline.h"
@@ -70,14 +71,14 @@ FigureResult draw_fig2(const FigureDesk& desk) {
     double area = 0.0, moment = 0.0, round_trip = 0.0;
     for (int q = 0; q < grain.size(); ++q) {
         const Vec2 v = grain.vertex(q);
-        map.series.push_back(sketch_arrow({0.0, 0.0}, v, 5));
+        map.series.push_back({.x = {0.0, v.x()}, .y = {0.0, v.y()}, .colour = 5, .width = 1.0});
         const auto [r, theta] = grain.polar_vertex(q);
         const auto [r1, theta1] = grain.polar_vertex(grain.next(q));
         const Vec2 a{r * std::cos(theta), r * std::sin(theta)}, b{r1 * std::cos(theta1), r1 * std::sin(theta1)};
         area += 0.5 * cross(a, b);
         moment += cross(a, b) * (a.dot(a) + a.dot(b) + b.dot(b)) / 12.0;
         round_trip = std::fmax(round_trip, std::sqrt((a - v).squaredNorm()));
-        array.x.push_back(theta);
+        array.x.push_back(theta < 0.0 ? theta + 2.0 * k_pi : theta);
         array.y.push_back(1e3 * r);
     }
     polar.series.push_back(array);
@@ -87,7 +88,7 @@ FigureResult draw_fig2(const FigureDesk& desk) {
         "A rough grain of {} vertices. Each is kept as its distance R from the centre of mass and its angle θ, and the "
         "grain may be non-convex as long as every vertex is seen from the centre of mass. Radii run from {:.2f} to "
         "{:.2f} mm; every point nearer to the centre than {:.2f} mm is inside.",
-        grain.size(), 1e3 * *std::min_element(array.y.begin(), array.y.end()) / 1e3, 1e3 * grain.outer_radius(),
+        grain.size(), *std::min_element(array.y.begin(), array.y.end()), 1e3 * grain.outer_radius(),
         1e3 * grain.inner_radius())};
     result.pictures = {{desk.stem("fig2"), "The outline with its radii, and the array that represents it"}};
     result.findings = {
