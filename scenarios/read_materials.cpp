@@ -46,6 +46,19 @@ MaterialIndex read_material(const Scene& scene, TableReader& table, const std::s
     return find_material(scene, table, key, table.text(key));
 }
 
+std::pair<MaterialIndex, MaterialIndex> read_material_pair(const Scene& scene, TableReader& table,
+                                                           std::set<std::pair<MaterialIndex, MaterialIndex>>& seen) {
+    const std::vector<std::string> names = table.words("between");
+    if (names.size() != 2) table.fail("between", fmt::format("names {} materials, must name two", names.size()));
+    const MaterialIndex a = find_material(scene, table, "between", names[0]);
+    const MaterialIndex b = find_material(scene, table, "between", names[1]);
+    if (!seen.insert(std::minmax(a, b)).second) {
+        table.fail("between",
+                   fmt::format("the pair {} and {} has an entry already; merge the two", names[0], names[1]));
+    }
+    return {a, b};
+}
+
 void read_materials(Reading& reading) {
     for (const TableItem& item : reading.top.named_tables("materials")) {
         TableReader table(reading.document, item, key_table("materials"));
@@ -64,14 +77,7 @@ void read_pairs(Reading& reading) {
     std::set<std::pair<MaterialIndex, MaterialIndex>> seen;
     for (const TableItem& item : reading.top.array_of_tables("pairs")) {
         TableReader table(reading.document, item, key_table("pairs"));
-        const std::vector<std::string> names = table.words("between");
-        if (names.size() != 2) table.fail("between", fmt::format("names {} materials, must name two", names.size()));
-        const MaterialIndex a = find_material(scene, table, "between", names[0]);
-        const MaterialIndex b = find_material(scene, table, "between", names[1]);
-        if (!seen.insert(std::minmax(a, b)).second) {
-            table.fail("between",
-                       fmt::format("the pair {} and {} has an entry already; merge the two", names[0], names[1]));
-        }
+        const auto [a, b] = read_material_pair(scene, table, seen);
         const std::optional<double> friction = table.optional_number("friction", k_not_negative);
         std::optional<Restitution> restitution;
         if (table.has("restitution")) restitution = read_restitution(table, "pairs");

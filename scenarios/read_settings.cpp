@@ -49,8 +49,8 @@ std::optional<std::pair<Vec2, Vec2>> read_view(TableReader& frames) {
 
 FrameSettings read_frames(TableReader& output, const FrameSettings& defaults) {
     static const std::vector<std::string> formats = {"png", "svg", "pdf"};
-    static const std::vector<std::string> colours = {"speed", "spin",     "angle", "kinetic_energy",
-                                                     "size",  "material", "none"};
+    static const std::vector<std::string> colours = {"speed", "spin",     "angle",    "kinetic_energy", "size", "id",
+                                                     "shape", "material", "contacts", "force",          "none"};
     TableReader table = output.table("frames", key_table("output.frames"));
     FrameSettings frames;
     frames.every = table.number("every", k_interval, defaults.every);
@@ -114,18 +114,6 @@ void read_output(Reading& reading) {
     table.adopt("checkpoint", checkpoint);
     output.observe = read_observe(reading, table);
     append_section(reading.resolved, "[output]", table);
-}
-
-void keep_engine_table(Reading& reading, const std::string& key) {
-    const toml::node* node = reading.top.raw(key);
-    if (node == nullptr) return;
-    if (!node->is_table()) {
-        reading.top.fail(key, fmt::format("is {}, must be a table; head it with [{}]", kind_of(*node), key));
-    }
-    reading.resolved += "\n[" + key + "]\n";
-    for (const auto& [name, value] : *node->as_table()) {
-        reading.resolved += fmt::format("{} = {}\n", toml_key(name.str()), toml_text(value));
-    }
 }
 
 }  // namespace polargrain

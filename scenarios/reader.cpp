@@ -33,7 +33,7 @@ Scenario load_scenario(const std::filesystem::path& path, const ScenarioOverride
     read_walls(reading);
     read_settle(reading);
     read_grain_groups(reading, shapes);
-    keep_engine_table(reading, "dem");
+    read_dem(reading);
     read_box2d(reading);
     read_output(reading);
     read_expectations(reading);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenarios/shape_book.h"
@@ -30,13 +32,17 @@ void read_expectations(Reading& reading);
 std::vector<ObservableSpec> read_observe(Reading& reading, TableReader& output);
 /// [box2d] is in the resolved scenario where the file has it or the engine is box2d.
 void read_box2d(Reading& reading);
-/// A table whose keys belong to one engine: kept as it is.
-void keep_engine_table(Reading& reading, const std::string& key);
+/// The same for [dem] and [[dem.pairs]].
+void read_dem(Reading& reading);
 
 void read_materials(Reading& reading);
 void read_pairs(Reading& reading);
 void read_walls(Reading& reading);
 ShapeBook read_shapes(Reading& reading);
+
+/// The two materials that `between` names; each pair once, as `seen` keeps count.
+std::pair<MaterialIndex, MaterialIndex> read_material_pair(const Scene& scene, TableReader& table,
+                                                           std::set<std::pair<MaterialIndex, MaterialIndex>>& seen);
 
 /// Index of the material that the key names; InputError with the nearest one otherwise.
 MaterialIndex read_material(const Scene& scene, TableReader& table, const std::string& key);

@@ -96,6 +96,7 @@ TEST_P(Shipped, SaysWhatItIsAndWhereItComesFrom) {
     const Scenario scenario = load_scenario(find_scenario(GetParam()));
     EXPECT_THAT(scenario.title, Not(HasSubstr(GetParam()))) << "the title is to say more than the file's name";
     EXPECT_FALSE(scenario.source.empty());
+    EXPECT_FALSE(scenario.expectations.empty()) << "what does a correct run show?";
     for (const Expectation& expectation : scenario.expectations) EXPECT_FALSE(expectation.source.empty());
     std::ifstream file(find_scenario(GetParam()));
     std::string line;
@@ -149,19 +150,31 @@ TEST(Resolved, HoldsTheOutlineOfAFileAndNeedsTheFileNoMore) {
     expect_same_bits(scenario.scene, load_text(scenario.resolved_toml).scene);
 }
 
-TEST(Resolved, KeepsTheTablesOfTheEnginesAsTheyAre) {
+TEST(Resolved, HasTheTableOfDemWithItsPairsWhereItMatters) {
+    EXPECT_THAT(load_text(small_scenario()).resolved_toml, Not(HasSubstr("[dem]")));
     const Scenario scenario = load_text(small_scenario() + R"([dem]
-model = "hertz"
-stiffness = 1e6
-steps = 7
-"odd key" = [true, { deep = "a \"quoted\" \u0007 word" }]
+law = "hertz"
+stiffness = 1e11
+integrator = "gear4"
+search = "cgrid"
+[[dem.pairs]]
+between = ["rubber", "rubber"]
+law = "walton-braun"
+tension = true
 )");
-    EXPECT_THAT(scenario.resolved_toml, HasSubstr("[dem]\n"));
-    EXPECT_THAT(scenario.resolved_toml, HasSubstr("model = \"hertz\"\n"));
-    EXPECT_THAT(scenario.resolved_toml, HasSubstr("steps = 7\n"));
-    EXPECT_THAT(scenario.resolved_toml,
-                HasSubstr("\"odd key\" = [true, { deep = \"a \\\"quoted\\\" \\u0007 word\" }]\n"));
+    const DemSettings& dem = scenario.engines.dem;
+    EXPECT_EQ(dem.law.normal, NormalLaw::hertz);
+    EXPECT_EQ(dem.law.stiffness, 1e11);
+    EXPECT_EQ(dem.integrator, SoftIntegrator::gear4);
+    EXPECT_EQ(dem.search, PairSearch::cgrid);
+    ASSERT_EQ(dem.pairs.size(), 1u);
+    EXPECT_EQ(dem.pairs[0].law.normal, NormalLaw::walton_braun);
+    EXPECT_EQ(dem.pairs[0].law.stiffness, std::nullopt);
+    EXPECT_TRUE(dem.pairs[0].law.tension);
+    EXPECT_THAT(scenario.resolved_toml, HasSubstr("[[dem.pairs]]\nbetween = "));
     EXPECT_EQ(load_text(scenario.resolved_toml).resolved_toml, scenario.resolved_toml);
+    EXPECT_THAT(load_text(small_scenario(), {.set = {}, .engine = "dem"}).resolved_toml, HasSubstr("resolution = 25"));
+    EXPECT_THAT(complaint(small_scenario() + "[dem]\nexponent = 0.5\n"), HasSubstr("belongs to law"));
 }
 
 TEST(Resolved, HasTheTableOfBox2dWhereItMatters) {
