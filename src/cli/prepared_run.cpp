@@ -13,7 +13,8 @@ PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& ov
         TimeStep time_step = choose_time_step(loaded.run, *asked);
         // Asked here for the sake of its own check, so that nothing is written for a run that can never end.
         step_count(loaded.run.duration, time_step.dt);
-        return {std::move(file), std::move(loaded), engine, std::move(time_step), asked->notes()};
+        std::vector<std::string> notes = asked->notes();  // while the scene is still where the engine knows it
+        return {std::move(file), std::move(loaded), engine, std::move(time_step), std::move(notes)};
     } catch (const InputError& error) {
         throw InputError(SourceLocation{.file = file.string(), .line = 0, .column = 0}, error.what());
     }

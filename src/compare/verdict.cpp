@@ -12,6 +12,8 @@ namespace polargrain {
 namespace {
 
 constexpr double k_same = 1e-3;
+constexpr double k_most_percent = 1000.0;  ///< beyond, a ratio to a small number says nothing
+constexpr int k_most_decimals = 7;
 
 /// Two-sided 5 % point of Student's distribution for a number of degrees of freedom, rounded down.
 double student_5_percent(double degrees) {
@@ -36,7 +38,9 @@ bool significant(const Spread& a, const Spread& b, double difference) {
 }
 
 std::string percent(double relative) {
-    return std::isfinite(relative) ? fmt::format(" ({:+.2g} %)", 100.0 * relative) : "";
+    const double value = 100.0 * relative;
+    if (!(std::abs(value) <= k_most_percent)) return "";
+    return std::abs(value) < 10.0 ? fmt::format(" ({:+.2g} %)", value) : fmt::format(" ({:+.0f} %)", value);
 }
 
 }  // namespace
@@ -92,10 +96,10 @@ std::string to_string(const Verdict& verdict, const std::string& unit) {
 std::string to_string(const Spread& spread) {
     if (spread.count == 0) return "-";
     if (!(spread.deviation > 0.0)) return fmt::format("{:.4g}", spread.mean);
-    // As many digits as reach the second one of the spread.
-    const double orders = std::log10(std::max(std::abs(spread.mean), spread.deviation) / spread.deviation);
-    const int digits = std::clamp(static_cast<int>(std::ceil(orders)) + 1, 2, 6);
-    return fmt::format("{:.{}g} +- {:.2g}", spread.mean, digits, spread.deviation);
+    // Down to the second digit of the spread.
+    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread.deviation))));
+    if (decimals > k_most_decimals) return fmt::format("{:.2g} +- {:.2g}", spread.mean, spread.deviation);
+    return fmt::format("{:.{}f} +- {:.{}f}", spread.mean, decimals, spread.deviation, decimals);
 }
 
 }  // namespace polargrain

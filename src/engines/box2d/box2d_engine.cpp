@@ -17,6 +17,8 @@ namespace {
 
 /// Steps between two rebuildings of Box2D's world; see Box2dEngine.
 constexpr std::int64_t k_rebuild_every = 128;
+/// Depth up to which Box2D leaves shapes in one another, skins included [units]; b2_linearSlop without its rounding.
+constexpr double k_slop = 0.005;
 /// Largest way of a grain in a step [units] that the engine vouches for: half of where Box2D cuts off.
 constexpr double k_longest_way = 1.0;
 
@@ -152,9 +154,9 @@ private:
 std::vector<std::string> Box2dEngine::notes() const {
     std::vector<std::string> notes{
         fmt::format(
-            "Box2D counts in units of {:.6g} m, in single precision; outlines at rest are {:.3g} m apart and may "
-            "overlap for a while",
-            setup_.unit, box2d_resting_gap(scene_, setup_.settings)),
+            "Box2D counts in units of {:.6g} m, in single precision; outlines rest {:.3g} to {:.3g} m apart and "
+            "overlap where they have been pressed together",
+            setup_.unit, box2d_resting_gap(scene_, setup_.settings), 2.0 * setup_.settings.skin * setup_.unit),
         "restitution is Newton's (speeds of the contact point), not energetic; " +
             (setup_.settings.restitution_threshold
                  ? fmt::format("impacts slower than {:.3g} m/s do not bounce", *setup_.settings.restitution_threshold)
@@ -254,7 +256,7 @@ double box2d_unit(const Scene& scene, const Box2dSettings& settings) {
 }
 
 double box2d_resting_gap(const Scene& scene, const Box2dSettings& settings) {
-    return box2d_unit(scene, settings) * (2.0 * settings.skin - static_cast<double>(b2_linearSlop));
+    return box2d_unit(scene, settings) * (2.0 * settings.skin - k_slop);
 }
 
 }  // namespace polargrain

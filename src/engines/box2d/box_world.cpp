@@ -62,17 +62,11 @@ b2PolygonShape polygon_shape(const std::vector<b2Vec2>& corners) {
     return shape;
 }
 
-/// A chain's solid side is on the left of its travel and ours on the right: the points in reverse. An open chain ends
-/// in corners of a right angle, as if it were the surface of a solid.
-void fill_chain(const std::vector<b2Vec2>& points, bool closed, b2ChainShape& chain) {
-    const auto count = static_cast<int32>(points.size());
-    if (closed) {
-        chain.CreateLoop(points.data(), count - 1);
-        return;
-    }
-    const b2Vec2 first = points[1] - points[0];
-    const b2Vec2 last = points[points.size() - 1] - points[points.size() - 2];
-    chain.CreateChain(points.data(), count, points.front() + b2Cross(1.0F, first), points.back() + b2Cross(1.0F, last));
+/// Number of the first piece of each wall among all pieces, and at the end that of the first grain's.
+std::vector<std::uintptr_t> number_pieces(const std::vector<Wall>& walls) {
+    std::vector<std::uintptr_t> first{0};
+    for (const Wall& wall : walls) first.push_back(first.back() + static_cast<std::uintptr_t>(wall.segments()));
+    return first;
 }
 
 BodyIndex body_index(b2Fixture* fixture) {
@@ -94,7 +88,8 @@ BoxWorld::BoxWorld(const Scene& scene, const BoxSetup& setup, const Grains& grai
     : scene_(scene),
       setup_(setup),
       world_(to_units(scene.gravity)),
-      fixtures_(scene.walls.size()),
+      first_piece_(number_pieces(scene.walls)),
+      fixtures_(first_piece_.back()),
       first_guesses_(std::move(warm_starts)) {
     const double gain = dt * std::sqrt(scene.gravity.squaredNorm());
     threshold_ = narrow(setup.settings.restitution_threshold.value_or(2.0 * gain) / setup.unit);
@@ -112,9 +107,10 @@ BoxWorld::BoxWorld(const Scene& scene, const BoxSetup& setup, const Grains& grai
     bodies_before_.resize(bodies_.size());
 }
 
-b2Fixture* BoxWorld::add_fixture(b2Body* body, const b2Shape& shape) {
+b2Fixture* BoxWorld::add_fixture(b2Body* body, const b2Shape& shape, std::uintptr_t number) {
     b2FixtureDef definition;
     definition.shape = &shape;
+    definition.userData.pointer = number;
     definition.restitutionThreshold = threshold_;
     return body->CreateFixture(&definition);
 }
@@ -131,15 +127,33 @@ void BoxWorld::add_wall(int wall, double time) {
     walls_[w] = world_.CreateBody(&definition);
 
     std::vector<b2Vec2> points;
-    for (auto p = source.points.rbegin(); p != source.points.rend(); ++p) {
-        points.push_back(to_units(*p - frame_origin(source)));
+    for (const Vec2& p : source.points) points.push_back(to_units(p - frame_origin(source)));
+    if (source.points.front() == source.points.back()) {
+        add_closed_chain(walls_[w], points, first_piece_[w]);
+    } else {
+        add_open_chain(walls_[w], points, first_piece_[w]);
     }
+}
+
+/// From outside a closed chain nothing is held: grains that have got half through it are pushed back in. A chain's
+/// solid side is on the left of its travel and ours on the right: the points in reverse.
+void BoxWorld::add_closed_chain(b2Body* body, std::vector<b2Vec2> points, std::uintptr_t number) {
+    std::reverse(points.begin(), points.end());
     b2ChainShape chain;
-    fill_chain(points, source.points.front() == source.points.back(), chain);
-    b2Fixture* fixture = add_fixture(walls_[w], chain);
-    fixture->GetUserData().pointer = w;
+    chain.CreateLoop(points.data(), static_cast<int32>(points.size()) - 1);
+    b2Fixture* fixture = add_fixture(body, chain, number);
     fixture->GetShape()->m_radius =
         narrow(setup_.settings.skin);  // the fixture's copy of a chain comes with Box2D's own
+}
+
+/// Thin pieces that hold from both sides, as grains go round the ends of open chains.
+void BoxWorld::add_open_chain(b2Body* body, const std::vector<b2Vec2>& points, std::uintptr_t number) {
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        b2EdgeShape edge;
+        edge.SetTwoSided(points[k], points[k + 1]);
+        edge.m_radius = narrow(setup_.settings.skin);
+        add_fixture(body, edge, number + k);
+    }
 }
 
 void BoxWorld::add_grain(const Grains& grains, GrainIndex k) {
@@ -159,14 +173,14 @@ void BoxWorld::add_grain(const Grains& grains, GrainIndex k) {
     if (const auto* disk = std::get_if<Disk>(&scene_.shape(grains.shape[i]))) {
         b2CircleShape circle;
         circle.m_radius = narrow(disk->radius() / setup_.unit) + skin;
-        add_fixture(body, circle)->GetUserData().pointer = fixtures_++;
+        add_fixture(body, circle, fixtures_++);
     }
     for (const ConvexPiece& piece : setup_.pieces[static_cast<std::size_t>(grains.shape[i])]) {
         std::vector<b2Vec2> corners;
         for (const Vec2& corner : piece) corners.push_back(to_units(corner));
         b2PolygonShape polygon = polygon_shape(corners);
         polygon.m_radius = skin;
-        add_fixture(body, polygon)->GetUserData().pointer = fixtures_++;
+        add_fixture(body, polygon, fixtures_++);
     }
     b2MassData mass;
     mass.mass = narrow(grains.mass[i]);

@@ -76,7 +76,9 @@ private:
 
     void add_wall(int wall, double time);
     void add_grain(const Grains& grains, GrainIndex k);
-    b2Fixture* add_fixture(b2Body* body, const b2Shape& shape);
+    void add_closed_chain(b2Body* body, std::vector<b2Vec2> points, std::uintptr_t number);
+    void add_open_chain(b2Body* body, const std::vector<b2Vec2>& points, std::uintptr_t number);
+    b2Fixture* add_fixture(b2Body* body, const b2Shape& shape, std::uintptr_t number);
     void place_walls(double time, double dt);
     void remember_poses();
     const b2Transform& pose_before(BodyIndex body) const;
@@ -92,9 +94,10 @@ private:
     const BoxSetup& setup_;
     float threshold_ = 0.0F;  ///< of restitution [units/s]
     b2World world_;
-    std::vector<b2Body*> walls_;   ///< null where a wall is gone
-    std::vector<b2Body*> bodies_;  ///< of grains
-    std::uintptr_t fixtures_ = 0;  ///< numbers given so far
+    std::vector<b2Body*> walls_;               ///< null where a wall is gone
+    std::vector<b2Body*> bodies_;              ///< of grains
+    std::vector<std::uintptr_t> first_piece_;  ///< number of a wall's first fixture
+    std::uintptr_t fixtures_ = 0;              ///< number of the next grain's
     std::vector<b2Transform> walls_before_, bodies_before_;
     std::vector<WarmStart> first_guesses_;  ///< empty after the first step
     std::vector<PointImpulse> impulses_;
