@@ -67,7 +67,8 @@ std::vector<Piece> bin_pieces(const Bin& bin, const Engines& engines) {
 /// What one run of a bin shows.
 struct BinRun {
     Series out;                                        ///< grains out over time
-    std::vector<double> bridge_lives;                  ///< [s]
+    std::vector<double> pauses;                        ///< of the flow, that ended again [s]
+    std::vector<double> bridge_lives;                  ///< of arches at rest [s]
     double standing_at_end = 0.0;                      ///< 1 where a bridge stands in the last frame
     double last_out = 0.0;                             ///< [s] when the last grain left
     std::vector<double> tilt_in_opening, tilt_in_bed;  ///< of long axes, from the vertical [degrees, 0 to 90]
@@ -99,11 +100,16 @@ BinRun read_bin(const Bin& bin, const std::filesystem::path& folder, bool tilts)
     BinRun run;
     StepReport report;
     double before = 0.0;
+    // A grain falls its own size in this time: as long without any, something holds them.
+    const double shortest_pause = std::sqrt(2.0 * mean_outer_radius(scene) / 9.81);
     for (int f = 0; f < recording.frames(); ++f) {
         StoredFrame frame = recording.frame(f);
         const double time = frame.world.time;
         const double out = count_out(scene, frame.world.grains);
-        if (f > 0 && out > run.out.y.back()) run.last_out = time;
+        if (f > 0 && out > run.out.y.back()) {
+            if (run.last_out > 0.0 && time - run.last_out > shortest_pause) run.pauses.push_back(time - run.last_out);
+            run.last_out = time;
+        }
         run.out.x.push_back(time);
         run.out.y.push_back(out);
         report.contacts = std::move(frame.contacts);
@@ -142,18 +148,24 @@ FigurePicture draw_snapshots(const FigureDesk& desk, const Bin& bin, const std::
     return {stem, fmt::format("{}: at the printed times, seed {}", engine, bin.shown_seed)};
 }
 
-/// Mean over seeds at each stored time, with the spread as error bars at some of them.
-Series mean_curve(const std::vector<BinRun>& runs, const std::string& engine, int colour) {
-    Series mean{.label = engine + ", mean and spread", .style = SeriesStyle::line, .colour = colour, .width = 3.0};
-    for (std::size_t f = 0; f < runs.front().out.x.size(); ++f) {
+/// Mean over seeds at each stored time, and its spread at ten of them.
+std::pair<Series, Series> mean_curve(const std::vector<BinRun>& runs, const std::string& engine, int colour) {
+    Series mean{.label = engine + ", mean and spread", .colour = colour, .width = 3.5};
+    Series spread{.style = SeriesStyle::points, .colour = colour};
+    const std::size_t frames = runs.front().out.x.size();
+    for (std::size_t f = 0; f < frames; ++f) {
         std::vector<double> values;
         for (const BinRun& run : runs) values.push_back(f < run.out.y.size() ? run.out.y[f] : std::nan(""));
         const MeanSpread m = mean_and_spread(values);
         mean.x.push_back(runs.front().out.x[f]);
         mean.y.push_back(m.mean);
-        mean.y_error.push_back(f % 20 == 0 ? m.spread : 0.0);
+        // Each engine's marks a little aside, so that they do not cover one another.
+        if ((f + static_cast<std::size_t>(colour) * frames / 40) % (frames / 10) != 0 || f == 0) continue;
+        spread.x.push_back(runs.front().out.x[f]);
+        spread.y.push_back(m.mean);
+        spread.y_error.push_back(m.spread);
     }
-    return mean;
+    return {std::move(mean), std::move(spread)};
 }
 
 std::vector<BinRun> read_runs(const FigureDesk& desk, const Bin& bin, const std::string& engine, bool tilts) {
@@ -172,47 +184,51 @@ std::vector<double> over_seeds(const std::vector<BinRun>& runs, Value value) {
     return values;
 }
 
-std::vector<double> all_lives(const std::vector<BinRun>& runs) {
-    std::vector<double> lives;
-    for (const BinRun& run : runs) lives.insert(lives.end(), run.bridge_lives.begin(), run.bridge_lives.end());
-    return lives;
+std::vector<double> all_pauses(const std::vector<BinRun>& runs) {
+    std::vector<double> pauses;
+    for (const BinRun& run : runs) pauses.insert(pauses.end(), run.pauses.begin(), run.pauses.end());
+    return pauses;
 }
 
 std::vector<std::string> seed_row(const std::string& engine, unsigned seed, const BinRun& run) {
     std::string lives;
+    std::string pauses;
+    for (const double pause : run.pauses) pauses += fmt::format("{}{:.2f}", pauses.empty() ? "" : ", ", pause);
     for (const double life : run.bridge_lives) lives += fmt::format("{}{:.2f}", lives.empty() ? "" : ", ", life);
     return {engine,
             fmt::format("{}", seed),
             fmt::format("{:.0f}", run.out.y.back()),
             fmt::format("{:.2f}", run.last_out),
-            fmt::format("{}", run.bridge_lives.size()),
+            pauses.empty() ? "none" : pauses,
             lives.empty() ? "none" : lives,
             run.standing_at_end > 0.0 ? "yes" : "no"};
 }
 
-const std::vector<std::string> k_seed_header{
-    "engine", "seed", "grains out", "last one out at [s]", "bridges", "their lives [s]", "one stands at the end"};
+const std::vector<std::string> k_seed_header{"engine",
+                                             "seed",
+                                             "grains out",
+                                             "last one out at [s]",
+                                             "pauses of the flow [s]",
+                                             "arches at rest, lives [s]",
+                                             "one stands at the end"};
 
 constexpr const char* k_frozen =
     "rejected moves: the bed freezes where it touches itself, and gravity works on grains that do not move";
 
 void add_bridge_findings(std::vector<Finding>& findings, const std::string& engine, const std::vector<BinRun>& runs) {
     const double end = runs.front().out.x.back();
-    const MeanSpread bridges =
-        mean_and_spread(over_seeds(runs, [](const BinRun& r) { return static_cast<double>(r.bridge_lives.size()); }));
-    const std::vector<double> lives = all_lives(runs);
-    const double lasting = mean_and_spread(over_seeds(runs, [](const BinRun& r) { return r.standing_at_end; })).mean *
-                           static_cast<double>(runs.size());
-    findings.push_back({engine, "bridges per run, mean over seeds", bridges.mean, 1.0, 1e3, "",
-                        "temporary bridges form above the opening", engine == "contact-1994" ? k_frozen : ""});
-    findings.push_back({engine, "bridges that collapse, share of all",
-                        lives.empty() ? std::nan("") : 1.0 - lasting / static_cast<double>(lives.size()), 0.5, 1.0, "",
-                        "each bridge collapses quickly", "the opening is on the edge of jamming, and bridges last"});
-    findings.push_back(
-        {engine, "seeds that flow in the last quarter, share",
-         mean_and_spread(over_seeds(runs, [&](const BinRun& r) { return r.last_out > 0.75 * end; })).mean, 0.5, 1.0, "",
-         "the printed run flows until its last picture",
-         "the opening is on the edge of jamming: some seeds block for good"});
+    const auto per_run = [&](auto value) { return mean_and_spread(over_seeds(runs, value)).mean; };
+    const std::string frozen = engine == "contact-1994" ? k_frozen : "";
+    findings.push_back({engine, "pauses of the flow that end again, per run, mean over seeds",
+                        per_run([](const BinRun& r) { return static_cast<double>(r.pauses.size()); }), 0.5, 1e3, "",
+                        "temporary bridges form above the opening and collapse",
+                        "where a bridge forms here it lasts, or the flow never stops"});
+    findings.push_back({engine, "mean length of these pauses", mean_and_spread(all_pauses(runs)).mean, 0.0, 0.25, "s",
+                        "each bridge collapses quickly in response to impacts", frozen});
+    findings.push_back({engine, "seeds that flow in the last quarter, share",
+                        per_run([&](const BinRun& r) { return r.last_out > 0.75 * end ? 1.0 : 0.0; }), 0.5, 1.0, "",
+                        "the printed run flows until its last picture",
+                        "the opening is on the edge of jamming: most seeds block for good"});
 }
 
 /// Grains per second that the law of 2D silos gives for disks of the same mean size: Q = C (D/d - k)^1.5 in units of
@@ -242,7 +258,13 @@ void add_discharge(Panel& panel, const std::vector<BinRun>& runs, const std::str
         thin.width = 0.6;
         panel.series.push_back(std::move(thin));
     }
-    panel.series.push_back(mean_curve(runs, engine, colour));
+    auto [mean, spread] = mean_curve(runs, engine, colour);
+    panel.series.push_back(std::move(mean));
+    panel.series.push_back(std::move(spread));
+    double most = panel.y_range ? panel.y_range->second : 1.0;
+    for (const BinRun& run : runs) most = std::max(most, 1.25 * run.out.y.back());
+    panel.x_range = std::pair{0.0, runs.front().out.x.back()};
+    panel.y_range = std::pair{0.0, most};
 }
 
 }  // namespace
@@ -254,17 +276,16 @@ FigureResult draw_fig16(const FigureDesk& desk) {
     const Bin& bin = rough_bin();
     FigureResult result;
     Panel discharge = discharge_panel(bin.grains);
-    Panel lives{
-        .title = "how long bridges live", .x_label = "life [s]", .y_label = "bridges per tenth of a second, all seeds"};
+    Panel pauses{.title = "how long the flow pauses", .x_label = "pause [s]", .y_label = "pauses per 30 ms, all seeds"};
     FigureTable table{"Every run", k_seed_header, {}};
     int colour = 0;
     for (const std::string& engine : at_hand(k_bin_engines, desk.engines())) {
         const std::vector<BinRun> runs = read_runs(desk, bin, engine, false);
         result.pictures.push_back(draw_snapshots(desk, bin, "fig16", engine));
         add_discharge(discharge, runs, engine, colour);
-        Series counts = histogram(all_lives(runs), 0.0, 1.0, 10, engine, colour++);
+        Series counts = histogram(all_pauses(runs), 0.04, 0.34, 10, engine, colour++);
         counts.style = SeriesStyle::line_points;
-        lives.series.push_back(std::move(counts));
+        pauses.series.push_back(std::move(counts));
         for (unsigned s = 0; s < runs.size(); ++s) table.rows.push_back(seed_row(engine, s + 1, runs[s]));
         const TrajectoryReader recording(desk.run(bin_piece(bin, engine, 1)) / "trajectory.h5");
         const double law = disks_per_second(recording.scene(), bin.opening) * runs.front().out.x.back();
@@ -277,16 +298,18 @@ FigureResult draw_fig16(const FigureDesk& desk) {
              engine == "contact-1994" ? k_frozen : ""});
         add_bridge_findings(result.findings, engine, runs);
     }
-    write_plot({"Fig. 16: rough grains out of a square bin", {discharge, lives}, 2, 1400, 560},
+    write_plot({"Fig. 16: rough grains out of a square bin", {discharge, pauses}, 2, 1400, 560},
                desk.stem("fig16-flow"));
-    result.pictures.push_back({desk.stem("fig16-flow"), "Discharge over seeds, and life times of bridges"});
-    result.paragraphs = {
-        fmt::format("500 rough grains, μ = 0.2 among them and against the walls, out of a bin whose opening is five "
-                    "diameters wide; {} "
-                    "seeds. A bridge is a chain of resting grains in contact from one side of the opening to the "
-                    "other; one counts if it "
-                    "lives longer than a grain takes to fall its own size. Frames are stored every 5 ms.",
-                    bin.seeds)};
+    result.pictures.push_back(
+        {desk.stem("fig16-flow"), "Discharge over seeds, and pauses of the flow: temporary bridges"});
+    result.paragraphs = {fmt::format(
+        "500 rough grains, μ = 0.2 among them and against the walls, out of a bin whose opening is five diameters "
+        "wide; {} "
+        "seeds. The flow pauses where no grain leaves for longer than one takes to fall its own size: a temporary "
+        "bridge. An arch at rest is a chain of resting grains in contact from one side of the opening to the "
+        "other; grains of contact-1994 keep velocities that they do not move with, and so never rest. Frames are "
+        "stored every 5 ms.",
+        bin.seeds)};
     result.tables = {std::move(table)};
     return result;
 }
@@ -337,7 +360,8 @@ FigureResult draw_fig17(const FigureDesk& desk) {
     result.paragraphs = {fmt::format(
         "160 sticks 5 times as long as wide; μ 0.4 and e 0.3 among them, 0.3 and 0.5 against the walls; {} seeds. The "
         "opening "
-        "is 2.4 stick lengths wide: the paper does not say how wide its own is. Bridges are counted as in Fig. 16.",
+        "is 2.4 stick lengths wide: the paper does not say how wide its own is. Pauses and arches are counted as in "
+        "Fig. 16.",
         bin.seeds)};
     result.tables = {std::move(table)};
     return result;

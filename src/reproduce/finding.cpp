@@ -12,7 +12,7 @@ std::string outcome(const Finding& f) {
     if (!std::isfinite(f.measured)) return "no value";
     const double nearest = f.measured < f.lowest ? f.lowest : f.highest;
     if (nearest == 0.0) return fmt::format("differs by {:+.3g}", f.measured);
-    return fmt::format("differs by {:+.2g} %", 100.0 * (f.measured - nearest) / std::abs(nearest));
+    return fmt::format("differs by {:+.3g} %", 100.0 * (f.measured - nearest) / std::abs(nearest));
 }
 
 std::string verdict(const std::vector<Finding>& findings) {

@@ -105,7 +105,7 @@ TEST_F(Reports, StandAloneAndKeepFiguresDrawnEarlier) {
         EXPECT_THAT(page, Not(HasSubstr(outside)));
     }
     EXPECT_THAT(read("verdicts.csv"),
-                HasSubstr("fig7,contact,speed,9,1,2,m/s,differs by +3.5e+02 %,theory,friction\n"));
+                HasSubstr("fig7,contact,speed,9,1,2,m/s,differs by +350 %,theory,friction\n"));
 }
 
 class Recorded : public Folder {};
