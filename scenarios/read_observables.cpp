@@ -77,12 +77,9 @@ Statistic read_statistic(TableReader& table) {
     return static_cast<Statistic>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-void read_window(TableReader& table, double duration, Expectation& expectation) {
+void read_window(TableReader& table, Expectation& expectation) {
     expectation.from = table.optional_number("from", k_time);
     expectation.to = table.optional_number("to", k_time);
-    if (expectation.from.value_or(0.0) > duration) {
-        table.fail("from", fmt::format("the run ends at {} s; give an earlier time", duration));
-    }
     if (expectation.to && expectation.from.value_or(0.0) > *expectation.to) {
         table.fail("to", fmt::format("is {}, before from = {}; swap them", *expectation.to, *expectation.from));
     }
@@ -161,15 +158,15 @@ std::vector<ObservableSpec> read_observe(Reading& reading, TableReader& output) 
 }
 
 void read_expectations(Reading& reading) {
-    const Scenario& scenario = reading.scenario;
+    const Scene& scene = reading.scenario.scene;
     for (const TableItem& item : reading.top.array_of_tables("expect")) {
         TableReader table(reading.document, item, key_table("expect"));
         Expectation expectation;
-        expectation.observable = read_spec(scenario.scene, table);
+        expectation.observable = read_spec(scene, table);
         expectation.statistic = read_statistic(table);
-        read_window(table, scenario.run.duration, expectation);
+        read_window(table, expectation);
         read_band(table, expectation);
-        expectation.unit = read_unit(table, scenario.scene, expectation.observable);
+        expectation.unit = read_unit(table, scene, expectation.observable);
         expectation.source = table.text("source", "");
         reading.scenario.expectations.push_back(std::move(expectation));
         append_section(reading.resolved, "[[expect]]", table);

@@ -76,23 +76,19 @@ double deepest_overlap(const Scene& scene, const World& world) {
                     deepest_into_walls(scene, world.grains, poses, world.time));
 }
 
-double OverlapMeter::read(const Sample& sample) {
-    deepest_ = std::max(deepest_, sample.totals.deepest);
-    if (sample.world.step - looked_at_ >= k_steps_between) {
-        deepest_ = std::max(deepest_, deepest_overlap(sample.scene, sample.world));
-        looked_at_ = sample.world.step;
-    }
-    return deepest_;
+OverlapMeter::OverlapMeter(const Scene& scene)
+    : scene_(&scene), deepest_(deepest_overlap(scene, initial_world(scene))) {}
+
+void OverlapMeter::step(const World& world, double /*dt*/, const StepReport& /*report*/) {
+    if (world.step % k_steps_between == 0) deepest_ = std::max(deepest_, deepest_overlap(*scene_, world));
 }
 
 void OverlapMeter::save(Checkpoint& checkpoint, const std::string& prefix) const {
     checkpoint.put(prefix + "/deepest", std::vector{deepest_});
-    checkpoint.put(prefix + "/looked_at", std::vector{looked_at_});
 }
 
 void OverlapMeter::load(const Checkpoint& checkpoint, const std::string& prefix) {
     deepest_ = checkpoint.reals(prefix + "/deepest").at(0);
-    looked_at_ = checkpoint.integers(prefix + "/looked_at").at(0);
 }
 
 }  // namespace polargrain

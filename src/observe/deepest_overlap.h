@@ -13,20 +13,21 @@ namespace polargrain {
 /// point). Zero where nothing overlaps beyond k_touch_tolerance. Independent of the engine.
 double deepest_overlap(const Scene& scene, const World& world);
 
-/// The deepest overlap since time zero: of the outlines at readings that are k_steps_between or more apart, as looking
-/// at all of them takes about as long as a step, and of what the engine tells of every step.
+/// The deepest overlap since time zero, of every twentieth step: to look at all outlines takes about as long as a step.
 class OverlapMeter {
 public:
     static constexpr std::int64_t k_steps_between = 20;
 
-    void step(const World& /*world*/, double /*dt*/, const StepReport& /*report*/) {}
-    double read(const Sample& sample);
+    explicit OverlapMeter(const Scene& scene);
+
+    void step(const World& world, double dt, const StepReport& report);
+    double read(const Sample& /*sample*/) const { return deepest_; }
     void save(Checkpoint& checkpoint, const std::string& prefix) const;
     void load(const Checkpoint& checkpoint, const std::string& prefix);
 
 private:
+    const Scene* scene_;
     double deepest_ = 0.0;
-    std::int64_t looked_at_ = -k_steps_between;  // step
 };
 
 }  // namespace polargrain

@@ -36,7 +36,7 @@ AnyMeter make_meter(const ObservableSpec& spec, const Scene& scene) {
         return WallMeter(wall_number(spec, scene), spec.region, measure);
     };
     if (q == "domino_speed") return TopplingMeter(scene);
-    if (q == "deepest_overlap") return OverlapMeter();
+    if (q == "deepest_overlap") return OverlapMeter(scene);
     if (q == "grains_passed") return flow(FlowMeter::Measure::count);
     if (q == "grain_flow") return flow(FlowMeter::Measure::grain_rate);
     if (q == "flow_rate") return flow(FlowMeter::Measure::area_rate);

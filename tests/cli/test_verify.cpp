@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program_runner.h"
+#include "tests/cli/small_scenarios.h"
+
+namespace polargrain {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string with_band(const std::string& band) {
+    return k_three_disks + "\n[[expect]]\nquantity = \"centre_of_mass_y\"\n" + band +
+           "\nunit = \"mm\"\nsource = \"the disks lie on the floor, their centres 10 mm above it\"\n";
+}
+
+class Verify : public testing::Test {
+protected:
+    Outcome verify(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), "verify");
+        return run_polargrain(arguments, scratch_.path());
+    }
+    ScratchFolder scratch_;
+};
+
+TEST_F(Verify, PrintsATableAndEndsWithZeroWhereAllHolds) {
+    scratch_.write("three.toml", with_band("min = 9.9\nmax = 11.0"));
+    const Outcome outcome = verify({"three.toml"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("three: Three disks"));
+    EXPECT_THAT(outcome.out, HasSubstr("centre_of_mass_y [mm]"));
+    EXPECT_THAT(outcome.out, HasSubstr("9.9 to 11"));
+    EXPECT_THAT(outcome.out, HasSubstr("  ok  "));
+    EXPECT_THAT(outcome.out, HasSubstr("the disks lie on the floor"));
+    EXPECT_FALSE(fs::exists(scratch_ / "out")) << "nothing is kept unless asked for";
+}
+
+TEST_F(Verify, EndsWithOneWhereSomethingFallsShort) {
+    scratch_.write("three.toml", with_band("max = 9.0"));
+    const Outcome outcome = verify({"three.toml"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.out, HasSubstr("<= 9 "));
+    EXPECT_THAT(outcome.out, HasSubstr("FALLS SHORT"));
+}
+
+TEST_F(Verify, WhatHasNoValueFallsShort) {
+    scratch_.write("three.toml", k_three_disks + "\n[[expect]]\nquantity = \"domino_speed\"\nmin = 0\n");
+    const Outcome outcome = verify({"three.toml"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.out, HasSubstr("no value"));
+}
+
+TEST_F(Verify, KeepsRunsOfSeveralSeedsAndTheirTable) {
+    scratch_.write("three.toml", with_band("min = 9.9\nmax = 11.0"));
+    const Outcome outcome = verify({"three.toml", "-o", "kept", "--seeds", "3"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(" +- "));
+    for (const char* folder : {"three-seed3", "three-seed4", "three-seed5"}) {
+        EXPECT_TRUE(fs::exists(scratch_ / "kept" / folder / "summary.json")) << folder;
+    }
+    const std::string table = read_file(scratch_ / "kept" / "verify.csv");
+    EXPECT_THAT(table, HasSubstr("scenario,quantity,unit,measured,spread,runs,min,max,verdict,source\n"));
+    EXPECT_THAT(table, HasSubstr("three,centre_of_mass_y,mm,"));
+    const Outcome again = verify({"three.toml", "-o", "kept", "--seeds", "3"});
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_THAT(again.err, HasSubstr("--force"));
+}
+
+TEST_F(Verify, AScenarioThatExpectsNothingIsWrongInput) {
+    scratch_.write("three.toml", k_three_disks);
+    const Outcome outcome = verify({"three.toml"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("three.toml: has no [[expect]] entries"));
+}
+
+TEST_F(Verify, ReadsEveryScenarioBeforeItRunsTheFirst) {
+    scratch_.write("good.toml", with_band("min = 9.9"));
+    scratch_.write("bad.toml", with_band("mni = 9.9"));
+    const Outcome outcome = verify({"good.toml", "bad.toml"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("bad.toml"));
+    EXPECT_THAT(outcome.out, Not(HasSubstr("running")));
+}
+
+TEST_F(Verify, ObservablesBecomeColumnsOfTheSeries) {
+    scratch_.write("three.toml", replaced(k_three_disks, "series = { every = 0.01 }",
+                                          "series = { every = 0.01 }\nobserve = [\"deepest_overlap\", { quantity = "
+                                          "\"mean_velocity_x\", label = \"drift\", region = [[0, 0], [1, 1]] }]"));
+    const Outcome outcome = run_polargrain({"run", "three.toml", "-o", "kept"}, scratch_.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string series = read_file(scratch_ / "kept" / "series.csv");
+    EXPECT_THAT(series.substr(0, series.find('\n')), HasSubstr(",deepest_overlap,drift"));
+}
+
+TEST_F(Verify, TheListNamesEveryObservable) {
+    const Outcome outcome = run_polargrain({"list", "observables"}, scratch_.path());
+    EXPECT_EQ(outcome.exit_code, 0);
+    for (const char* name : {"domino_speed", "bridge_life", "wall_pressure", "mixing_index", "angle_of_repose"}) {
+        EXPECT_THAT(outcome.out, HasSubstr(name));
+    }
+}
+
+}  // namespace
+}  // namespace polargrain
