@@ -16,6 +16,9 @@ namespace {
 /// Restitutions below this count as this much: a dashpot that lets nothing back needs infinite force.
 constexpr double k_least_restitution = 0.01;
 
+/// An impact on the whole of the widest face is rare, and may take that much fewer steps.
+constexpr double k_coarser_on_faces = 2.5;
+
 double exponent_of(const SoftLaw& law) {
     switch (law.normal) {
         case NormalLaw::hertz: return 0.5;
@@ -111,7 +114,7 @@ void SoftLaws::find_shortest_contact(const Scene& scene, const DemSettings& sett
         double stiffness = stiffest;
         if (const auto* polygon = std::get_if<PolarPolygon>(&shape)) {
             // W'' for a face of width w, see area_energy; at the target area for q < 2, where it falls with depth.
-            const double widths = flat_width(*polygon) / polygon->inner_radius();
+            const double widths = flat_width(*polygon) / polygon->inner_radius() / k_coarser_on_faces;
             stiffness = std::max(stiffest, 0.5 * q * (q - 1.0) * stiffest * widths * widths);
         }
         const double reduced = 0.5 * scene.grains.mass[Grains::at(k)];

@@ -30,7 +30,8 @@ public:
         return laws_[static_cast<std::size_t>(a) * materials_ + static_cast<std::size_t>(b)];
     }
 
-    /// Shortest contact that the scene can have [s]; infinite without grains.
+    /// Shortest contact that the scene can have [s], but 2.5 times that of two polygons which meet in the whole of
+    /// their widest faces; infinite without grains.
     double shortest_contact() const { return shortest_contact_; }
 
 private:
