@@ -75,6 +75,11 @@ const std::vector<DominoKind>& table_1() {
     return kinds;
 }
 
+const std::vector<std::string>& domino_engines() {
+    static const std::vector<std::string> engines{"contact", "contact-1994"};
+    return engines;
+}
+
 Piece domino_piece(const DominoKind& kind, double gap, double table_friction, const std::string& engine,
                    double recorded) {
     using namespace fmt::literals;

@@ -22,6 +22,13 @@ struct DominoKind {
 
 const std::vector<DominoKind>& table_1();
 
+/// Friction of a table on which no foot slides.
+inline constexpr double k_rough_table = 1.5;
+/// Step of the pinned-foot chain that curves are computed with [sqrt(L / g)].
+inline constexpr double k_chain_step = 3e-4;
+/// The engines whose dominoes are compared.
+const std::vector<std::string>& domino_engines();
+
 /// A row of 48 dominoes of one kind on a table of its own friction; the first leans, and turns at sqrt(g / L).
 ///
 /// The dominoes stand; the first hangs a four-hundredth of its height above the table, because the literal method never
