@@ -36,6 +36,27 @@ struct ResumeRequest {
 };
 int resume_command(const ResumeRequest& request);
 
+struct CompareRequest {
+    std::string scenario;
+    ScenarioOverrides overrides;
+    std::vector<std::string> engines;  ///< the others are held against the first
+    int seeds = 3;
+    std::optional<std::filesystem::path> folder;  ///< none: out/compare-<scenario name>
+    bool force = false;
+    bool quiet = false;
+};
+int compare_command(const CompareRequest& request);
+
+struct SweepRequest {
+    std::filesystem::path file;
+    std::optional<std::filesystem::path> folder;  ///< none: out/<name of the file>
+    int jobs = 1;                                 ///< runs at a time
+    std::string program = "polargrain";           ///< as it was called
+    bool force = false;
+    bool quiet = false;
+};
+int sweep_command(const SweepRequest& request);
+
 struct CheckRequest {
     std::string scenario;
     ScenarioOverrides overrides;

@@ -26,7 +26,7 @@ def commands(text):
 
 def words_to_run(line):
     words = shlex.split(line, comments=True)[1:]
-    return words + SHORT if words[0] == "run" and "--help" not in words else words
+    return words + SHORT if words[0] in ("run", "compare") and "--help" not in words else words
 
 
 def failures(document, top, program):
