@@ -21,396 +21,313 @@ namespace polargrain {
 namespace {
 
 std::string version_text() {
-  const BuildInfo &build = build_info();
-  return fmt::format(
-      "polargrain {}\n  compiler   {}\n  flags      {}\n  libraries  {}",
-      build.version, build.compiler, build.flags, build.libraries);
+    const BuildInfo& build = build_info();
+    return fmt::format("polargrain {}\n  compiler   {}\n  flags      {}\n  libraries  {}", build.version,
+                       build.compiler, build.flags, build.libraries);
 }
 
-std::string command_line(std::span<const char *const> words) {
-  std::string line;
-  for (const char *word : words)
-    line += (line.empty() ? "" : " ") + shell_quoted(word);
-  return line;
+std::string command_line(std::span<const char* const> words) {
+    std::string line;
+    for (const char* word : words) line += (line.empty() ? "" : " ") + shell_quoted(word);
+    return line;
 }
 
-void add_overrides(CLI::App &command, ScenarioOverrides &overrides) {
-  command
-      .add_option(
-          "--set", overrides.set,
-          "lay a value over the file, e.g. run.duration=2 (may be repeated)")
-      ->type_name("KEY.PATH=VALUE")
-      ->allow_extra_args(false);
-  command
-      .add_option("--engine", overrides.engine, "engine in place of run.engine")
-      ->type_name("NAME");
-  command
-      .add_option("--seed", overrides.seed, "random seed in place of run.seed")
-      ->type_name("N");
-  command
-      .add_option("--threads", overrides.threads,
-                  "threads in place of run.threads")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
+void add_overrides(CLI::App& command, ScenarioOverrides& overrides) {
+    command.add_option("--set", overrides.set, "lay a value over the file, e.g. run.duration=2 (may be repeated)")
+        ->type_name("KEY.PATH=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--engine", overrides.engine, "engine in place of run.engine")->type_name("NAME");
+    command.add_option("--seed", overrides.seed, "random seed in place of run.seed")->type_name("N");
+    command.add_option("--threads", overrides.threads, "threads in place of run.threads")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
 }
 
 using Action = std::function<int()>;
 
-void add_run(CLI::App &app, RunRequest &request, Action &action) {
-  CLI::App *command =
-      app.add_subcommand("run", "run a scenario and write a run folder");
-  command
-      ->add_option("SCENARIO", request.scenario,
-                   "scenario file, or the name of a shipped one")
-      ->required();
-  command
-      ->add_option("-o,--output", request.folder,
-                   "run folder; default out/<scenario name>")
-      ->type_name("DIR");
-  add_overrides(*command, request.overrides);
-  command->add_flag("--no-frames", request.overrides.no_frames,
-                    "draw no pictures");
-  command->add_flag("--force", request.force,
-                    "replace the run that is in the folder");
-  command->add_flag("--quiet", request.quiet, "print nothing but errors");
-  command->footer("Examples:\n"
-                  "  polargrain run domino-opalene\n"
-                  "  polargrain run scenarios/bin-rough.toml -o out/bin --set "
-                  "run.duration=0.5 --seed 7\n"
-                  "  polargrain run out/bin/scenario.toml -o out/bin-again     "
-                  "(the same result, bit for bit)\n"
-                  "Ctrl-C ends a run after the step in progress, with a "
-                  "checkpoint: polargrain resume DIR carries it on. After "
-                  "a\n"
-                  "kill it goes on from the last checkpoint, by default "
-                  "written every minute (output.checkpoint.every_wall).");
-  command->callback([&] { action = [&] { return run_command(request); }; });
+void add_run(CLI::App& app, RunRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("run", "run a scenario and write a run folder");
+    command->add_option("SCENARIO", request.scenario, "scenario file, or the name of a shipped one")->required();
+    command->add_option("-o,--output", request.folder, "run folder; default out/<scenario name>")->type_name("DIR");
+    add_overrides(*command, request.overrides);
+    command->add_flag("--no-frames", request.overrides.no_frames, "draw no pictures");
+    command->add_flag("--force", request.force, "replace the run that is in the folder");
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain run domino-opalene\n"
+        "  polargrain run scenarios/bin-rough.toml -o out/bin --set "
+        "run.duration=0.5 --seed 7\n"
+        "  polargrain run out/bin/scenario.toml -o out/bin-again     "
+        "(the same result, bit for bit)\n"
+        "Ctrl-C ends a run after the step in progress, with a "
+        "checkpoint: polargrain resume DIR carries it on. After "
+        "a\n"
+        "kill it goes on from the last checkpoint, by default "
+        "written every minute (output.checkpoint.every_wall).");
+    command->callback([&] { action = [&] { return run_command(request); }; });
 }
 
-void add_resume(CLI::App &app, ResumeRequest &request, Action &action) {
-  CLI::App *command =
-      app.add_subcommand("resume", "carry a run on from its last checkpoint");
-  command->add_option("DIR", request.folder, "run folder")->required();
-  command
-      ->add_option("--until", request.until,
-                   "simulated time to run to [s], in place of run.duration")
-      ->type_name("T")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--quiet", request.quiet, "print nothing but errors");
-  command->footer("Examples:\n"
-                  "  polargrain resume out/domino-opalene                 "
-                  "(after Ctrl-C, a kill or a full disk)\n"
-                  "  polargrain resume out/domino-opalene --until 1.2     (a "
-                  "finished run goes on)\n"
-                  "Every file of the folder becomes what it would have been "
-                  "without the interruption, bit for bit.");
-  command->callback([&] { action = [&] { return resume_command(request); }; });
+void add_resume(CLI::App& app, ResumeRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("resume", "carry a run on from its last checkpoint");
+    command->add_option("DIR", request.folder, "run folder")->required();
+    command->add_option("--until", request.until, "simulated time to run to [s], in place of run.duration")
+        ->type_name("T")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain resume out/domino-opalene                 "
+        "(after Ctrl-C, a kill or a full disk)\n"
+        "  polargrain resume out/domino-opalene --until 1.2     (a "
+        "finished run goes on)\n"
+        "Every file of the folder becomes what it would have been "
+        "without the interruption, bit for bit.");
+    command->callback([&] { action = [&] { return resume_command(request); }; });
 }
 
-void add_compare(CLI::App &app, CompareRequest &request, Action &action) {
-  CLI::App *command = app.add_subcommand(
-      "compare",
-      "the same scene through several engines: pictures, plots, verdicts");
-  command
-      ->add_option("SCENARIO", request.scenario,
-                   "scenario file, or the name of a shipped one")
-      ->required();
-  command
-      ->add_option("--engines", request.engines,
-                   "engines, the first being what the others are held against; "
-                   "default contact,contact-1994,box2d")
-      ->type_name("NAME,...")
-      ->delimiter(',');
-  command
-      ->add_option("--seeds", request.seeds,
-                   "initial states, from run.seed on; default 3")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
-  command
-      ->add_option("-o,--output", request.folder,
-                   "folder; default out/compare-<scenario name>")
-      ->type_name("DIR");
-  command
-      ->add_option(
-          "--set", request.overrides.set,
-          "lay a value over the file, e.g. run.duration=2 (may be repeated)")
-      ->type_name("KEY.PATH=VALUE")
-      ->allow_extra_args(false);
-  command->add_flag("--no-frames", request.overrides.no_frames,
-                    "draw no pictures");
-  command->add_flag("--force", request.force, "replace what is in the folder");
-  command->add_flag("--quiet", request.quiet, "print nothing but errors");
-  command->footer(
-      "Examples:\n"
-      "  polargrain compare domino-opalene --engines contact,box2d\n"
-      "  polargrain compare bin-rough --engines contact,contact-1994,box2d "
-      "--seeds 8 -o out/bins\n"
-      "The folder gets report.md, values.csv, series.csv, observables.png and "
-      ".pdf, frames/ side by side (first "
-      "seed),\n"
-      "and movie.mp4 where ffmpeg is installed.");
-  command->callback([&] { action = [&] { return compare_command(request); }; });
+void add_compare(CLI::App& app, CompareRequest& request, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("compare", "the same scene through several engines: pictures, plots, verdicts");
+    command->add_option("SCENARIO", request.scenario, "scenario file, or the name of a shipped one")->required();
+    command
+        ->add_option("--engines", request.engines,
+                     "engines, the first being what the others are held against; "
+                     "default contact,contact-1994,box2d")
+        ->type_name("NAME,...")
+        ->delimiter(',');
+    command->add_option("--seeds", request.seeds, "initial states, from run.seed on; default 3")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000));
+    command->add_option("-o,--output", request.folder, "folder; default out/compare-<scenario name>")->type_name("DIR");
+    command
+        ->add_option("--set", request.overrides.set, "lay a value over the file, e.g. run.duration=2 (may be repeated)")
+        ->type_name("KEY.PATH=VALUE")
+        ->allow_extra_args(false);
+    command->add_flag("--no-frames", request.overrides.no_frames, "draw no pictures");
+    command->add_flag("--force", request.force, "replace what is in the folder");
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain compare domino-opalene --engines contact,box2d\n"
+        "  polargrain compare bin-rough --engines contact,contact-1994,box2d "
+        "--seeds 8 -o out/bins\n"
+        "The folder gets report.md, values.csv, series.csv, observables.png and "
+        ".pdf, frames/ side by side (first "
+        "seed),\n"
+        "and movie.mp4 where ffmpeg is installed.");
+    command->callback([&] { action = [&] { return compare_command(request); }; });
 }
 
-void add_sweep(CLI::App &app, SweepRequest &request, Action &action) {
-  CLI::App *command = app.add_subcommand(
-      "sweep",
-      "many runs over parameter values and seeds, one table at the end");
-  command
-      ->add_option("SWEEP", request.file,
-                   "sweep file; docs/sweep.md explains it")
-      ->required();
-  command
-      ->add_option("-o,--output", request.folder,
-                   "folder; default out/<sweep name>")
-      ->type_name("DIR");
-  command->add_option("--jobs", request.jobs, "runs at a time, default 1")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  command->add_flag("--force", request.force,
-                    "replace another sweep that is in the folder");
-  command->add_flag("--quiet", request.quiet, "print nothing but errors");
-  command->footer(
-      "Examples:\n"
-      "  polargrain sweep scenarios/sweeps/pour-friction.toml --jobs 2\n"
-      "  polargrain sweep my-sweep.toml -o out/mine       (the same again "
-      "after Ctrl-C or a kill: it goes on)\n"
-      "The folder gets a run folder for each run under runs/, and table.csv "
-      "with a row for each.");
-  command->callback([&] { action = [&] { return sweep_command(request); }; });
+void add_sweep(CLI::App& app, SweepRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("sweep", "many runs over parameter values and seeds, one table at the end");
+    command->add_option("SWEEP", request.file, "sweep file; docs/sweep.md explains it")->required();
+    command->add_option("-o,--output", request.folder, "folder; default out/<sweep name>")->type_name("DIR");
+    command->add_option("--jobs", request.jobs, "runs at a time, default 1")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--force", request.force, "replace another sweep that is in the folder");
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain sweep scenarios/sweeps/pour-friction.toml --jobs 2\n"
+        "  polargrain sweep my-sweep.toml -o out/mine       (the same again "
+        "after Ctrl-C or a kill: it goes on)\n"
+        "The folder gets a run folder for each run under runs/, and table.csv "
+        "with a row for each.");
+    command->callback([&] { action = [&] { return sweep_command(request); }; });
 }
 
-void add_check(CLI::App &app, CheckRequest &request, Action &action) {
-  CLI::App *command = app.add_subcommand(
-      "check", "read a scenario, say what would run, run nothing");
-  command
-      ->add_option("SCENARIO", request.scenario,
-                   "scenario file, or the name of a shipped one")
-      ->required();
-  add_overrides(*command, request.overrides);
-  command->footer("Examples:\n"
-                  "  polargrain check bin-rough\n"
-                  "  polargrain check my.toml --set run.time_step=1e-4");
-  command->callback([&] { action = [&] { return check_command(request); }; });
+void add_check(CLI::App& app, CheckRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("check", "read a scenario, say what would run, run nothing");
+    command->add_option("SCENARIO", request.scenario, "scenario file, or the name of a shipped one")->required();
+    add_overrides(*command, request.overrides);
+    command->footer(
+        "Examples:\n"
+        "  polargrain check bin-rough\n"
+        "  polargrain check my.toml --set run.time_step=1e-4");
+    command->callback([&] { action = [&] { return check_command(request); }; });
 }
 
-void add_verify(CLI::App &app, VerifyRequest &request, Action &action) {
-  CLI::App *command = app.add_subcommand(
-      "verify", "run scenarios and hold them to their own [[expect]] entries");
-  command
-      ->add_option("SCENARIO", request.scenarios,
-                   "scenario files, or names of shipped ones")
-      ->required();
-  command
-      ->add_option("-o,--output", request.folder,
-                   "keep the run folders, and verify.csv, in this folder")
-      ->type_name("DIR");
-  command
-      ->add_option(
-          "--seeds", request.seeds,
-          "runs of each, with its seed and those that follow; default 1")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000));
-  add_overrides(*command, request.overrides);
-  command->add_flag("--force", request.force,
-                    "replace the runs that are in the folder");
-  command->footer("Examples:\n"
-                  "  polargrain verify domino-opalene\n"
-                  "  polargrain verify drum silo -o out/verified --seeds 4    "
-                  "(mean +- standard deviation of a run)\n"
-                  "  polargrain verify my.toml --engine contact-1994\n"
-                  "The exit code is 1 if anything falls short. polargrain list "
-                  "observables tells what can be expected.");
-  command->callback([&] { action = [&] { return verify_command(request); }; });
+void add_verify(CLI::App& app, VerifyRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("verify", "run scenarios and hold them to their own [[expect]] entries");
+    command->add_option("SCENARIO", request.scenarios, "scenario files, or names of shipped ones")->required();
+    command->add_option("-o,--output", request.folder, "keep the run folders, and verify.csv, in this folder")
+        ->type_name("DIR");
+    command->add_option("--seeds", request.seeds, "runs of each, with its seed and those that follow; default 1")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000));
+    add_overrides(*command, request.overrides);
+    command->add_flag("--force", request.force, "replace the runs that are in the folder");
+    command->footer(
+        "Examples:\n"
+        "  polargrain verify domino-opalene\n"
+        "  polargrain verify drum silo -o out/verified --seeds 4    "
+        "(mean +- standard deviation of a run)\n"
+        "  polargrain verify my.toml --engine contact-1994\n"
+        "The exit code is 1 if anything falls short. polargrain list "
+        "observables tells what can be expected.");
+    command->callback([&] { action = [&] { return verify_command(request); }; });
 }
 
-void add_shape(CLI::App &app, ShapeRequest &request, Action &action) {
-  CLI::App *command = app.add_subcommand(
-      "shape", "measure an outline and draw it with its polar sectors");
-  command
-      ->add_option("SHAPE", request.shape,
-                   "outline file, or the name of a shipped one")
-      ->required();
-  command
-      ->add_option("-o,--output", request.picture,
-                   "draw it: .png, .svg or .pdf")
-      ->type_name("PICTURE");
-  command->add_flag("--force", request.force, "replace a picture of that name");
-  command->footer("Examples:\n"
-                  "  polargrain shape gear          (polargrain list shapes "
-                  "tells which there are)\n"
-                  "  polargrain shape gear -o out/gear.png --force");
-  command->callback([&] { action = [&] { return shape_command(request); }; });
+void add_shape(CLI::App& app, ShapeRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("shape", "measure an outline and draw it with its polar sectors");
+    command->add_option("SHAPE", request.shape, "outline file, or the name of a shipped one")->required();
+    command->add_option("-o,--output", request.picture, "draw it: .png, .svg or .pdf")->type_name("PICTURE");
+    command->add_flag("--force", request.force, "replace a picture of that name");
+    command->footer(
+        "Examples:\n"
+        "  polargrain shape gear          (polargrain list shapes "
+        "tells which there are)\n"
+        "  polargrain shape gear -o out/gear.png --force");
+    command->callback([&] { action = [&] { return shape_command(request); }; });
 }
 
-void add_list(CLI::App &app, std::string &what, Action &action) {
-  CLI::App *command =
-      app.add_subcommand("list", "what is at hand, a line each");
-  command
-      ->add_option(
-          "WHAT", what,
-          "scenarios, shapes, engines or observables; all four if left out")
-      ->check(CLI::IsMember({"scenarios", "shapes", "engines", "observables"}));
-  command->footer("Examples:\n"
-                  "  polargrain list\n"
-                  "  polargrain list shapes");
-  command->callback([&] { action = [&] { return list_command(what); }; });
+void add_list(CLI::App& app, std::string& what, Action& action) {
+    CLI::App* command = app.add_subcommand("list", "what is at hand, a line each");
+    command->add_option("WHAT", what, "scenarios, shapes, engines or observables; all four if left out")
+        ->check(CLI::IsMember({"scenarios", "shapes", "engines", "observables"}));
+    command->footer(
+        "Examples:\n"
+        "  polargrain list\n"
+        "  polargrain list shapes");
+    command->callback([&] { action = [&] { return list_command(what); }; });
 }
 
-void add_sheet(CLI::App &app, SheetRequest &request, Action &action) {
-  CLI::App *command = app.add_subcommand(
-      "sheet",
-      "one picture with frames from a run, evenly spread over its time");
-  command->add_option("DIR", request.folder, "run folder")->required();
-  command
-      ->add_option("-o,--output", request.sheet,
-                   "PNG file; default sheet.png in the run folder")
-      ->type_name("PICTURE");
-  command
-      ->add_option("--count", request.count,
-                   "number of frames on the sheet, default 12")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100));
-  command->add_flag("--force", request.force, "replace a picture of that name");
-  command->footer("Examples:\n"
-                  "  polargrain sheet out/domino-opalene\n"
-                  "  polargrain sheet out/domino-opalene -o out/dominoes.png "
-                  "--count 6 --force");
-  command->callback([&] { action = [&] { return sheet_command(request); }; });
+void add_sheet(CLI::App& app, SheetRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("sheet", "one picture with frames from a run, evenly spread over its time");
+    command->add_option("DIR", request.folder, "run folder")->required();
+    command->add_option("-o,--output", request.sheet, "PNG file; default sheet.png in the run folder")
+        ->type_name("PICTURE");
+    command->add_option("--count", request.count, "number of frames on the sheet, default 12")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100));
+    command->add_flag("--force", request.force, "replace a picture of that name");
+    command->footer(
+        "Examples:\n"
+        "  polargrain sheet out/domino-opalene\n"
+        "  polargrain sheet out/domino-opalene -o out/dominoes.png "
+        "--count 6 --force");
+    command->callback([&] { action = [&] { return sheet_command(request); }; });
 }
 
-void add_reproduce(CLI::App &app, ReproduceRequest &request, Action &action) {
-  CLI::App *command = app.add_subcommand(
-      "reproduce",
-      "the paper's figures and tables again, beside published numbers");
-  command->add_option("FIGURE", request.figures,
-                      "fig2 fig5 fig7 fig9 table1 fig11 fig12 fig14 fig15 "
-                      "fig16 fig17 efficiency; all if left out");
-  command
-      ->add_option("-o,--output", request.folder,
-                   "folder; default out/reproduce")
-      ->type_name("DIR");
-  command
-      ->add_option("--jobs", request.jobs, "simulations at a time, default 2")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256));
-  command->add_flag("--quiet", request.quiet, "print nothing but errors");
-  command->footer("Examples:\n"
-                  "  polargrain reproduce fig7 fig9\n"
-                  "  polargrain reproduce fig11 -o out/paper --jobs 4\n"
-                  "  polargrain reproduce                     (everything: "
-                  "some ten minutes on two cores)\n"
-                  "DIR/report.html shows every figure drawn into DIR so far, "
-                  "with a verdict each; each figure stands beside it as PNG,\n"
-                  "PDF and CSV. Finished simulations are kept in DIR/runs: the "
-                  "same command goes on after an interruption.");
-  command->callback(
-      [&] { action = [&] { return reproduce_command(request); }; });
+void add_reproduce(CLI::App& app, ReproduceRequest& request, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("reproduce", "the paper's figures and tables again, beside published numbers");
+    command->add_option("FIGURE", request.figures,
+                        "fig2 fig5 fig7 fig9 table1 fig11 fig12 fig14 fig15 "
+                        "fig16 fig17 efficiency; all if left out");
+    command->add_option("-o,--output", request.folder, "folder; default out/reproduce")->type_name("DIR");
+    command->add_option("--jobs", request.jobs, "simulations at a time, default 2")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain reproduce fig7 fig9\n"
+        "  polargrain reproduce fig11 -o out/paper --jobs 4\n"
+        "  polargrain reproduce                     (everything: "
+        "some ten minutes on two cores)\n"
+        "DIR/report.html shows every figure drawn into DIR so far, "
+        "with a verdict each; each figure stands beside it as PNG,\n"
+        "PDF and CSV. Finished simulations are kept in DIR/runs: the "
+        "same command goes on after an interruption.");
+    command->callback([&] { action = [&] { return reproduce_command(request); }; });
 }
 
-std::vector<std::string> command_names(const CLI::App &app) {
-  std::vector<std::string> names;
-  for (const CLI::App *command :
-       app.get_subcommands([](const CLI::App *) { return true; })) {
-    names.push_back(command->get_name());
-  }
-  return names;
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return names;
 }
 
 /// "; did you mean X?" for the nearest known command or option, or nothing.
-std::string hint_for(const CLI::App &app) {
-  std::vector<std::string> known = command_names(app);
-  const CLI::App *command = &app;
-  if (const auto parsed = app.get_subcommands(); !parsed.empty())
-    command = parsed.front();
-  for (const CLI::Option *option : command->get_options()) {
-    for (const std::string &name : option->get_lnames())
-      known.push_back("--" + name);
-  }
-  for (const std::string &word : app.remaining(true)) {
-    const std::string nearest = nearest_name(word, known);
-    if (!nearest.empty() && nearest != word)
-      return "; did you mean " + nearest + "?";
-  }
-  return "";
+std::string hint_for(const CLI::App& app) {
+    std::vector<std::string> known = command_names(app);
+    const CLI::App* command = &app;
+    if (const auto parsed = app.get_subcommands(); !parsed.empty()) command = parsed.front();
+    for (const CLI::Option* option : command->get_options()) {
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    for (const std::string& word : app.remaining(true)) {
+        const std::string nearest = nearest_name(word, known);
+        if (!nearest.empty() && nearest != word) return "; did you mean " + nearest + "?";
+    }
+    return "";
 }
 
-int explain(const CLI::App &app, const CLI::ParseError &error) {
-  if (error.get_exit_code() == 0)
-    return app.exit(error);
-  const bool unknown_words =
-      dynamic_cast<const CLI::ExtrasError *>(&error) != nullptr;
-  const auto parsed = app.get_subcommands();
-  const std::string command =
-      parsed.empty() ? "" : " " + parsed.front()->get_name();
-  fmt::print(stderr, "polargrain{}: {}{}\nsee polargrain{} --help\n", command,
-             error.what(), unknown_words ? hint_for(app) : "", command);
-  return k_exit_wrong_input;
-}
-
-int run_action(const Action &action) {
-  try {
-    return action();
-  } catch (const InputError &error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    const bool unknown_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    const auto parsed = app.get_subcommands();
+    const std::string command = parsed.empty() ? "" : " " + parsed.front()->get_name();
+    fmt::print(stderr, "polargrain{}: {}{}\nsee polargrain{} --help\n", command, error.what(),
+               unknown_words ? hint_for(app) : "", command);
     return k_exit_wrong_input;
-  } catch (const std::exception &error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return k_exit_failed;
-  }
 }
 
-} // namespace
-
-int run_program(int argc, const char *const *argv) {
-  // Too large a file is then an error of the write that meets it, as on a full
-  // disk, not the end of the program.
-  std::signal(SIGXFSZ, SIG_IGN);
-  CLI::App app{"polargrain: 2D granular flow with real grain shapes",
-               "polargrain"};
-  app.set_version_flag("--version", version_text,
-                       "version, build flags and library versions");
-  app.set_help_flag("-h,--help", "this help");
-  app.footer("Examples:\n"
-             "  polargrain list\n"
-             "  polargrain run domino-opalene          (pictures and numbers "
-             "go to out/domino-opalene)\n"
-             "  polargrain COMMAND --help              (more examples)\n"
-             "Exit codes: 0 done, 1 the run failed, 2 wrong input or command "
-             "line, 130 interrupted.");
-
-  RunRequest run;
-  ResumeRequest resume;
-  CheckRequest check;
-  CompareRequest compare;
-  VerifyRequest verify;
-  ShapeRequest shape;
-  SheetRequest sheet;
-  ReproduceRequest reproduce;
-  std::string what;
-  Action action;
-  reproduce.command_line = command_line({argv, static_cast<std::size_t>(argc)});
-  run.command_line = verify.command_line =
-      command_line({argv, static_cast<std::size_t>(argc)});
-  run.program = resume.program = argv[0];
-  add_run(app, run, action);
-  add_resume(app, resume, action);
-  add_check(app, check, action);
-  add_compare(app, compare, action);
-  add_verify(app, verify, action);
-  add_shape(app, shape, action);
-  add_list(app, what, action);
-  add_sheet(app, sheet, action);
-  add_reproduce(app, reproduce, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError &error) {
-    return explain(app, error);
-  }
-  if (action)
-    return run_action(action);
-  fmt::print(stderr, "{}", app.help());
-  return k_exit_wrong_input;
+int run_action(const Action& action) {
+    try {
+        return action();
+    } catch (const InputError& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return k_exit_wrong_input;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return k_exit_failed;
+    }
 }
 
-} // namespace polargrain
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+    // Too large a file is then an error of the write that meets it, as on a full
+    // disk, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
+    CLI::App app{"polargrain: 2D granular flow with real grain shapes", "polargrain"};
+    app.set_version_flag("--version", version_text, "version, build flags and library versions");
+    app.set_help_flag("-h,--help", "this help");
+    app.footer(
+        "Examples:\n"
+        "  polargrain list\n"
+        "  polargrain run domino-opalene          (pictures and numbers "
+        "go to out/domino-opalene)\n"
+        "  polargrain COMMAND --help              (more examples)\n"
+        "Exit codes: 0 done, 1 the run failed, 2 wrong input or command "
+        "line, 130 interrupted.");
+
+    RunRequest run;
+    ResumeRequest resume;
+    CheckRequest check;
+    CompareRequest compare;
+    VerifyRequest verify;
+    ShapeRequest shape;
+    SheetRequest sheet;
+    ReproduceRequest reproduce;
+    std::string what;
+    Action action;
+    reproduce.command_line = command_line({argv, static_cast<std::size_t>(argc)});
+    run.command_line = verify.command_line = command_line({argv, static_cast<std::size_t>(argc)});
+    run.program = resume.program = argv[0];
+    add_run(app, run, action);
+    add_resume(app, resume, action);
+    add_check(app, check, action);
+    add_compare(app, compare, action);
+    add_verify(app, verify, action);
+    add_shape(app, shape, action);
+    add_list(app, what, action);
+    add_sheet(app, sheet, action);
+    add_reproduce(app, reproduce, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return explain(app, error);
+    }
+    if (action) return run_action(action);
+    fmt::print(stderr, "{}", app.help());
+    return k_exit_wrong_input;
+}
+
+}  // namespace polargrain
