@@ -91,7 +91,6 @@ struct SheetRequest {
 };
 int sheet_command(const SheetRequest& request);
 
-
 struct ReproduceRequest {
     std::vector<std::string> figures;             ///< fig2, fig11, ...; none: all
     std::optional<std::filesystem::path> folder;  ///< none: out/reproduce
