@@ -47,16 +47,6 @@ struct CompareRequest {
 };
 int compare_command(const CompareRequest& request);
 
-struct SweepRequest {
-    std::filesystem::path file;
-    std::optional<std::filesystem::path> folder;  ///< none: out/<name of the file>
-    int jobs = 1;                                 ///< runs at a time
-    std::string program = "polargrain";           ///< as it was called
-    bool force = false;
-    bool quiet = false;
-};
-int sweep_command(const SweepRequest& request);
-
 struct CheckRequest {
     std::string scenario;
     ScenarioOverrides overrides;

@@ -56,15 +56,11 @@ void add_run(CLI::App& app, RunRequest& request, Action& action) {
     command->footer(
         "Examples:\n"
         "  polargrain run domino-opalene\n"
-        "  polargrain run scenarios/bin-rough.toml -o out/bin --set "
-        "run.duration=0.5 --seed 7\n"
-        "  polargrain run out/bin/scenario.toml -o out/bin-again     "
-        "(the same result, bit for bit)\n"
-        "Ctrl-C ends a run after the step in progress, with a "
-        "checkpoint: polargrain resume DIR carries it on. After "
+        "  polargrain run scenarios/bin-rough.toml -o out/bin --set run.duration=0.5 --seed 7\n"
+        "  polargrain run out/bin/scenario.toml -o out/bin-again     (the same result, bit for bit)\n"
+        "Ctrl-C ends a run after the step in progress, with a checkpoint: polargrain resume DIR carries it on. After "
         "a\n"
-        "kill it goes on from the last checkpoint, by default "
-        "written every minute (output.checkpoint.every_wall).");
+        "kill it goes on from the last checkpoint, by default written every minute (output.checkpoint.every_wall).");
     command->callback([&] { action = [&] { return run_command(request); }; });
 }
 
@@ -77,12 +73,9 @@ void add_resume(CLI::App& app, ResumeRequest& request, Action& action) {
     command->add_flag("--quiet", request.quiet, "print nothing but errors");
     command->footer(
         "Examples:\n"
-        "  polargrain resume out/domino-opalene                 "
-        "(after Ctrl-C, a kill or a full disk)\n"
-        "  polargrain resume out/domino-opalene --until 1.2     (a "
-        "finished run goes on)\n"
-        "Every file of the folder becomes what it would have been "
-        "without the interruption, bit for bit.");
+        "  polargrain resume out/domino-opalene                 (after Ctrl-C, a kill or a full disk)\n"
+        "  polargrain resume out/domino-opalene --until 1.2     (a finished run goes on)\n"
+        "Every file of the folder becomes what it would have been without the interruption, bit for bit.");
     command->callback([&] { action = [&] { return resume_command(request); }; });
 }
 
@@ -92,8 +85,7 @@ void add_compare(CLI::App& app, CompareRequest& request, Action& action) {
     command->add_option("SCENARIO", request.scenario, "scenario file, or the name of a shipped one")->required();
     command
         ->add_option("--engines", request.engines,
-                     "engines, the first being what the others are held against; "
-                     "default contact,contact-1994,box2d")
+                     "engines, the first being what the others are held against; default contact,contact-1994,box2d")
         ->type_name("NAME,...")
         ->delimiter(',');
     command->add_option("--seeds", request.seeds, "initial states, from run.seed on; default 3")
@@ -110,32 +102,9 @@ void add_compare(CLI::App& app, CompareRequest& request, Action& action) {
     command->footer(
         "Examples:\n"
         "  polargrain compare domino-opalene --engines contact,box2d\n"
-        "  polargrain compare bin-rough --engines contact,contact-1994,box2d "
-        "--seeds 8 -o out/bins\n"
-        "The folder gets report.md, values.csv, series.csv, observables.png and "
-        ".pdf, frames/ side by side (first "
-        "seed),\n"
-        "and movie.mp4 where ffmpeg is installed.");
+        "  polargrain compare bin-rough --engines contact,contact-1994,box2d --seeds 8 -o out/bins\n"
+        "The folder gets report.md, values.csv, series.csv, observables.png and .pdf, frames/ side by side.");
     command->callback([&] { action = [&] { return compare_command(request); }; });
-}
-
-void add_sweep(CLI::App& app, SweepRequest& request, Action& action) {
-    CLI::App* command = app.add_subcommand("sweep", "many runs over parameter values and seeds, one table at the end");
-    command->add_option("SWEEP", request.file, "sweep file; docs/sweep.md explains it")->required();
-    command->add_option("-o,--output", request.folder, "folder; default out/<sweep name>")->type_name("DIR");
-    command->add_option("--jobs", request.jobs, "runs at a time, default 1")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
-    command->add_flag("--force", request.force, "replace another sweep that is in the folder");
-    command->add_flag("--quiet", request.quiet, "print nothing but errors");
-    command->footer(
-        "Examples:\n"
-        "  polargrain sweep scenarios/sweeps/pour-friction.toml --jobs 2\n"
-        "  polargrain sweep my-sweep.toml -o out/mine       (the same again "
-        "after Ctrl-C or a kill: it goes on)\n"
-        "The folder gets a run folder for each run under runs/, and table.csv "
-        "with a row for each.");
-    command->callback([&] { action = [&] { return sweep_command(request); }; });
 }
 
 void add_check(CLI::App& app, CheckRequest& request, Action& action) {
@@ -162,11 +131,9 @@ void add_verify(CLI::App& app, VerifyRequest& request, Action& action) {
     command->footer(
         "Examples:\n"
         "  polargrain verify domino-opalene\n"
-        "  polargrain verify drum silo -o out/verified --seeds 4    "
-        "(mean +- standard deviation of a run)\n"
+        "  polargrain verify drum silo -o out/verified --seeds 4    (mean +- standard deviation of a run)\n"
         "  polargrain verify my.toml --engine contact-1994\n"
-        "The exit code is 1 if anything falls short. polargrain list "
-        "observables tells what can be expected.");
+        "The exit code is 1 if anything falls short. polargrain list observables tells what can be expected.");
     command->callback([&] { action = [&] { return verify_command(request); }; });
 }
 
@@ -177,8 +144,7 @@ void add_shape(CLI::App& app, ShapeRequest& request, Action& action) {
     command->add_flag("--force", request.force, "replace a picture of that name");
     command->footer(
         "Examples:\n"
-        "  polargrain shape gear          (polargrain list shapes "
-        "tells which there are)\n"
+        "  polargrain shape gear          (polargrain list shapes tells which there are)\n"
         "  polargrain shape gear -o out/gear.png --force");
     command->callback([&] { action = [&] { return shape_command(request); }; });
 }
@@ -206,8 +172,7 @@ void add_sheet(CLI::App& app, SheetRequest& request, Action& action) {
     command->footer(
         "Examples:\n"
         "  polargrain sheet out/domino-opalene\n"
-        "  polargrain sheet out/domino-opalene -o out/dominoes.png "
-        "--count 6 --force");
+        "  polargrain sheet out/domino-opalene -o out/dominoes.png --count 6 --force");
     command->callback([&] { action = [&] { return sheet_command(request); }; });
 }
 
@@ -215,8 +180,7 @@ void add_reproduce(CLI::App& app, ReproduceRequest& request, Action& action) {
     CLI::App* command =
         app.add_subcommand("reproduce", "the paper's figures and tables again, beside published numbers");
     command->add_option("FIGURE", request.figures,
-                        "fig2 fig5 fig7 fig9 table1 fig11 fig12 fig14 fig15 "
-                        "fig16 fig17 efficiency; all if left out");
+                        "fig2 fig5 fig7 fig9 table1 fig11 fig12 fig14 fig15 fig16 fig17 efficiency; all if left out");
     command->add_option("-o,--output", request.folder, "folder; default out/reproduce")->type_name("DIR");
     command->add_option("--jobs", request.jobs, "simulations at a time, default 2")
         ->type_name("N")
@@ -226,12 +190,10 @@ void add_reproduce(CLI::App& app, ReproduceRequest& request, Action& action) {
         "Examples:\n"
         "  polargrain reproduce fig7 fig9\n"
         "  polargrain reproduce fig11 -o out/paper --jobs 4\n"
-        "  polargrain reproduce                     (everything: "
-        "some ten minutes on two cores)\n"
-        "DIR/report.html shows every figure drawn into DIR so far, "
-        "with a verdict each; each figure stands beside it as PNG,\n"
-        "PDF and CSV. Finished simulations are kept in DIR/runs: the "
-        "same command goes on after an interruption.");
+        "  polargrain reproduce                     (everything: some ten minutes on two cores)\n"
+        "DIR/report.html shows every figure drawn into DIR so far, with a verdict each; each figure stands beside it "
+        "as PNG,\n"
+        "PDF and CSV. Finished simulations are kept in DIR/runs: the same command goes on after an interruption.");
     command->callback([&] { action = [&] { return reproduce_command(request); }; });
 }
 
@@ -283,8 +245,7 @@ int run_action(const Action& action) {
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
-    // Too large a file is then an error of the write that meets it, as on a full
-    // disk, not the end of the program.
+    // Too large a file is then an error of the write that meets it, as on a full disk, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app{"polargrain: 2D granular flow with real grain shapes", "polargrain"};
     app.set_version_flag("--version", version_text, "version, build flags and library versions");
@@ -292,11 +253,9 @@ int run_program(int argc, const char* const* argv) {
     app.footer(
         "Examples:\n"
         "  polargrain list\n"
-        "  polargrain run domino-opalene          (pictures and numbers "
-        "go to out/domino-opalene)\n"
+        "  polargrain run domino-opalene          (pictures and numbers go to out/domino-opalene)\n"
         "  polargrain COMMAND --help              (more examples)\n"
-        "Exit codes: 0 done, 1 the run failed, 2 wrong input or command "
-        "line, 130 interrupted.");
+        "Exit codes: 0 done, 1 the run failed, 2 wrong input or command line, 130 interrupted.");
 
     RunRequest run;
     ResumeRequest resume;
