@@ -6,7 +6,6 @@
 namespace polargrain {
 
 void Reduction::add(double time, double reading) {
-    // A reading is taken at the first step at or after its time: a row belongs to the window that it begins in.
     if (!std::isfinite(reading) || (from_ && time < *from_) || (to_ && time > *to_)) return;
     if (count_ == 0.0) {
         first_ = reading;
