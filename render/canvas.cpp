@@ -74,6 +74,18 @@ Canvas::Canvas(std::filesystem::path path, int width, int height)
       pixels_(path_.extension() == ".png"),
       surface_(create_surface(path_, width, height)),
       context_(cairo_create(surface_)) {
+    make_white();
+}
+
+Canvas::Canvas(int width, int height)
+    : sheet_{0.0, 0.0, static_cast<double>(width), static_cast<double>(height)},
+      pixels_(true),
+      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
+      context_(cairo_create(surface_)) {
+    make_white();
+}
+
+void Canvas::make_white() {
     settle_fonts(context_);
     cairo_set_source_rgb(context_, 1.0, 1.0, 1.0);
     cairo_paint(context_);
@@ -90,6 +102,13 @@ void Canvas::finish() {
     if (pixels_) write_png(surface_, path_);
     cairo_surface_finish(surface_);
     check(cairo_surface_status(surface_));
+}
+
+std::span<const unsigned char> Canvas::pixels() const {
+    cairo_surface_flush(surface_);
+    const auto height = static_cast<std::size_t>(cairo_image_surface_get_height(surface_));
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface_));
+    return {cairo_image_surface_get_data(surface_), height * stride};
 }
 
 void Canvas::check(cairo_status_t status) const {

@@ -5,6 +5,7 @@
 #include <cairo.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace polargrain {
@@ -22,6 +23,8 @@ struct Rect {
 class Canvas {
 public:
     Canvas(std::filesystem::path path, int width, int height);
+    /// One that becomes no file: its pixels are to be had.
+    Canvas(int width, int height);
     ~Canvas();
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
@@ -30,8 +33,11 @@ public:
     Rect sheet() const { return sheet_; }
     /// Writes the file; RunError names it where that fails.
     void finish();
+    /// Of a sheet without a file: words 0xXXRRGGBB row by row, from the top.
+    std::span<const unsigned char> pixels() const;
 
 private:
+    void make_white();
     void check(cairo_status_t status) const;
 
     std::filesystem::path path_;

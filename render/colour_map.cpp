@@ -58,10 +58,14 @@ std::span<const Colour> colour_anchors(ColourBy quantity) {
     switch (quantity) {
         case ColourBy::speed:
         case ColourBy::kinetic_energy:
+        case ColourBy::contacts:
         case ColourBy::size: return k_viridis;
         case ColourBy::spin: return k_blue_white_red;
         case ColourBy::angle: return k_twilight;
+        case ColourBy::id:
+        case ColourBy::shape:
         case ColourBy::material:
+        case ColourBy::force:
         case ColourBy::none: break;
     }
     return {};

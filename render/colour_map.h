@@ -31,4 +31,7 @@ Colour category_colour(int category);
 /// What grains are filled with where nothing is shown.
 inline constexpr Colour k_plain_fill{0.72, 0.77, 0.82};
 
+/// What they are filled with under force chains, which are to stand out.
+inline constexpr Colour k_pale_fill{0.90, 0.92, 0.94};
+
 }  // namespace polargrain

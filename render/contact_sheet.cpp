@@ -156,8 +156,9 @@ void contact_sheet(const TrajectoryReader& recording, const std::vector<Labelled
         label(cr, cell, cell_letter, cells[k].label);
     }
     const Rect footer{grid.gap, paper.height - grid.footer - 0.4 * letter, inner, grid.footer};
-    draw_legend(cr, footer, letter, style, recording.scene());
-    draw_scale_bar(cr, footer, letter, Projection(style.view, grid.cell(0)).scale());
+    const double scale = Projection(style.view, grid.cell(0)).scale();
+    draw_legend(cr, footer, letter, style, recording.scene(), scale);
+    draw_scale_bar(cr, footer, letter, scale);
     canvas.finish();
 }
 

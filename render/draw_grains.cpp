@@ -77,6 +77,12 @@ void draw_grain(cairo_t* cr, const Shape& shape, const Pose& pose, const Project
     draw_mark(cr, shape, pose, to_paper, fill);
 }
 
+/// The scenario's name of a shape, without what tells its draws and sizes apart: "grain" of "grain#498*1.1".
+std::string shape_kind(const Shape& shape) {
+    const std::string& whole = name(shape);
+    return whole.substr(0, whole.find_first_of("#*"));
+}
+
 bool visible(const Vec2& centre, double reach, const Rect& plot) {
     return centre.x() + reach > plot.x && centre.x() - reach < plot.right() && centre.y() + reach > plot.y &&
            centre.y() - reach < plot.bottom();
@@ -98,17 +104,82 @@ double shown_value(ColourBy quantity, const Scene& scene, const Grains& grains, 
                           grains.inertia[at] * grains.spin[at] * grains.spin[at]);
         case ColourBy::size: return outer_radius(scene.shape_of(k));
         case ColourBy::material: return grains.material[at];
+        case ColourBy::id: return k;
+        case ColourBy::shape:
+        case ColourBy::contacts:
+        case ColourBy::force:
         case ColourBy::none: break;
     }
     return 0.0;
 }
 
 Colour fill_of(const FrameStyle& style, const Scene& scene, const Grains& grains, GrainIndex k) {
-    if (style.colour == ColourBy::none) return k_plain_fill;
-    if (style.colour == ColourBy::material) return category_colour(grains.material[Grains::at(k)]);
-    const double value = shown_value(style.colour, scene, grains, k);
+    switch (style.colour) {
+        case ColourBy::none: return k_plain_fill;
+        case ColourBy::force: return k_pale_fill;
+        case ColourBy::id: return category_colour(k);
+        case ColourBy::material: return category_colour(grains.material[Grains::at(k)]);
+        default: break;
+    }
+    return fill_for(style, shown_value(style.colour, scene, grains, k));
+}
+
+Colour fill_for(const FrameStyle& style, double value) {
     return colour_at(colour_anchors(style.colour), (value - style.colour_min) / (style.colour_max - style.colour_min));
 }
+
+std::vector<std::string> shape_kinds(const Scene& scene) {
+    std::vector<std::string> kinds;
+    for (const auto& shape : scene.shapes) {
+        const std::string kind = shape_kind(*shape);
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+namespace {
+
+/// Fills that need more than the grain itself: looked up once for the whole frame.
+class Fills {
+public:
+    Fills(const Picture& picture, const FrameStyle& style) : picture_(picture), style_(style) {
+        if (style.colour == ColourBy::contacts) count_contacts();
+        if (style.colour == ColourBy::shape) sort_shapes();
+    }
+
+    Colour operator()(GrainIndex k) const {
+        const std::size_t at = Grains::at(k);
+        if (style_.colour == ColourBy::contacts) return fill_for(style_, contacts_[at]);
+        if (style_.colour == ColourBy::shape) {
+            return category_colour(kind_[static_cast<std::size_t>(picture_.grains.shape[at])]);
+        }
+        return fill_of(style_, picture_.scene, picture_.grains, k);
+    }
+
+private:
+    void count_contacts() {
+        contacts_.assign(Grains::at(picture_.grains.size()), 0);
+        for (const Contact& contact : picture_.contacts) {
+            for (const BodyIndex body : {contact.a, contact.b}) {
+                if (!is_wall(body)) ++contacts_[Grains::at(body)];
+            }
+        }
+    }
+    void sort_shapes() {
+        const std::vector<std::string> kinds = shape_kinds(picture_.scene);
+        for (const auto& shape : picture_.scene.shapes) {
+            const auto found = std::find(kinds.begin(), kinds.end(), shape_kind(*shape));
+            kind_.push_back(static_cast<int>(found - kinds.begin()));
+        }
+    }
+
+    const Picture& picture_;
+    const FrameStyle& style_;
+    std::vector<int> contacts_;  // per grain
+    std::vector<int> kind_;      // per shape
+};
+
+}  // namespace
 
 void trace(cairo_t* cr, const Shape& shape, const Pose& pose, const Projection& to_paper) {
     std::visit(Tracer{cr, pose, to_paper}, shape);
@@ -120,11 +191,12 @@ void draw_grains(cairo_t* cr, const Picture& picture, const FrameStyle& style, c
     // No difference to the eye, and a third of the time less.
     cairo_set_antialias(cr, CAIRO_ANTIALIAS_FAST);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_BEVEL);
+    const Fills fill(picture, style);
     for (GrainIndex k = 0; k < picture.grains.size(); ++k) {
         const Shape& shape = picture.scene.shape_of(k);
         const Pose pose = picture.grains.pose(k);
         if (!visible(to_paper(pose.centre), outer_radius(shape) * to_paper.scale() + 2.0, plot)) continue;
-        draw_grain(cr, shape, pose, to_paper, fill_of(style, picture.scene, picture.grains, k));
+        draw_grain(cr, shape, pose, to_paper, fill(k));
     }
 }
 

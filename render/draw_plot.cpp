@@ -10,7 +10,6 @@ namespace {
 
 constexpr Colour k_ground{0.988, 0.988, 0.982};
 constexpr Colour k_border{0.80, 0.82, 0.84};
-constexpr Colour k_impulse{0.83, 0.07, 0.14};
 
 }  // namespace
 
@@ -18,7 +17,7 @@ void draw_contacts(cairo_t* cr, const Picture& picture, const FrameStyle& style,
                    double letter) {
     const Saved saved(cr);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
-    set_colour(cr, k_impulse, 0.9);
+    set_colour(cr, k_impulse_ink, 0.9);
     for (const Contact& contact : picture.contacts) {
         const Vec2 point = to_paper(contact.point);
         const double impulse = contact.impulse.norm();
@@ -36,6 +35,32 @@ void draw_contacts(cairo_t* cr, const Picture& picture, const FrameStyle& style,
     }
 }
 
+double chain_thickness(const FrameStyle& style, double impulse, double scale) {
+    return 0.8 * style.grain_radius * scale * std::min(1.0, impulse / style.chain_scale);
+}
+
+void draw_chains(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Projection& to_paper) {
+    const Saved saved(cr);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    set_colour(cr, k_chain_ink);
+    for (const Contact& contact : picture.contacts) {
+        const double thickness = chain_thickness(style, contact.impulse.norm(), to_paper.scale());
+        constexpr double k_least = 0.15;  // thinner lines are not seen
+        if (thickness < k_least) continue;
+        cairo_set_line_width(cr, thickness);
+        if (!is_wall(contact.a)) {
+            const Vec2 from = to_paper(picture.grains.position(contact.a));
+            cairo_move_to(cr, from.x(), from.y());
+        }
+        const Vec2 point = to_paper(contact.point);
+        cairo_line_to(cr, point.x(), point.y());
+        const Vec2 to = to_paper(picture.grains.position(contact.b));
+        cairo_line_to(cr, to.x(), to.y());
+        cairo_stroke(cr);
+    }
+}
+
 void draw_plot(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Rect& plot, double letter) {
     const Projection to_paper(style.view, plot);
     {
@@ -46,6 +71,7 @@ void draw_plot(cairo_t* cr, const Picture& picture, const FrameStyle& style, con
         cairo_paint(cr);
         for (const PlacedWall& wall : picture.walls) draw_wall(cr, wall, to_paper, 0.7 * letter, plot);
         draw_grains(cr, picture, style, to_paper, plot);
+        if (style.colour == ColourBy::force) draw_chains(cr, picture, style, to_paper);
         if (style.contacts) draw_contacts(cr, picture, style, to_paper, letter);
     }
     const Saved saved(cr);

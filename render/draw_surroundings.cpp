@@ -29,7 +29,11 @@ Quantity quantity_of(const FrameStyle& style) {
         case ColourBy::angle: return {"angle [\u00b0]", k_radians_per_degree};
         case ColourBy::kinetic_energy: return with_unit("kinetic energy [per depth]", "J/m", style.colour_max);
         case ColourBy::size: return with_unit("outer radius", "m", style.colour_max);
+        case ColourBy::contacts: return {"contacts of a grain", 1.0};
+        case ColourBy::id:
+        case ColourBy::shape:
         case ColourBy::material:
+        case ColourBy::force:
         case ColourBy::none: break;
     }
     return {};
@@ -68,8 +72,8 @@ void draw_colour_bar(cairo_t* cr, const Rect& footer, double letter, const Frame
     const Quantity quantity = quantity_of(style);
     const double width = std::min(17.0 * letter, 0.45 * footer.width);
     const Rect bar{footer.right() - 1.2 * letter - width, footer.y + 0.65 * letter, width, 0.75 * letter};
-    const bool open_above =
-        style.colour == ColourBy::speed || style.colour == ColourBy::kinetic_energy || style.colour == ColourBy::spin;
+    const bool open_above = style.colour == ColourBy::speed || style.colour == ColourBy::kinetic_energy ||
+                            style.colour == ColourBy::spin || style.colour == ColourBy::contacts;
     trace_bar(cr, bar, style.colour == ColourBy::spin, open_above);
     fill_with_scale(cr, bar, colour_anchors(style.colour));
     set_colour(cr, k_ink);
@@ -90,17 +94,17 @@ void draw_colour_bar(cairo_t* cr, const Rect& footer, double letter, const Frame
     draw_text(cr, bar.x - 1.1 * letter, bar.bottom() - 0.08 * letter, quantity.label, Align::right);
 }
 
-void draw_material_key(cairo_t* cr, const Rect& footer, double letter, const Materials& materials) {
+void draw_key(cairo_t* cr, const Rect& footer, double letter, const std::vector<std::string>& names) {
     choose_font(cr, 0.9 * letter);
     const double side = 0.8 * letter;
     double right = footer.right();
     // From the right, so that the last stands at the margin; what would run into the scale bar is left out.
-    for (MaterialIndex m = materials.size() - 1; m >= 0; --m) {
-        const double width = text_width(cr, materials[m].name);
+    for (int m = static_cast<int>(names.size()) - 1; m >= 0; --m) {
+        const double width = text_width(cr, names[static_cast<std::size_t>(m)]);
         const double left = right - width - 1.4 * side;
         if (left < footer.x + 0.35 * footer.width) return;
         set_colour(cr, k_ink);
-        draw_text(cr, right, footer.y + 1.35 * letter, materials[m].name, Align::right);
+        draw_text(cr, right, footer.y + 1.35 * letter, names[static_cast<std::size_t>(m)], Align::right);
         cairo_rectangle(cr, left, footer.y + 0.65 * letter, side, side);
         set_colour(cr, category_colour(m));
         cairo_fill_preserve(cr);
@@ -109,6 +113,37 @@ void draw_material_key(cairo_t* cr, const Rect& footer, double letter, const Mat
         cairo_stroke(cr);
         right = left - letter;
     }
+}
+
+std::vector<std::string> material_names(const Materials& materials) {
+    std::vector<std::string> names;
+    for (MaterialIndex m = 0; m < materials.size(); ++m) names.push_back(materials[m].name);
+    return names;
+}
+
+/// Lines of the force chains with what they stand for: the full thickness, and a quarter of it.
+void draw_chain_key(cairo_t* cr, const Rect& footer, double letter, const FrameStyle& style, double scale) {
+    const bool forces = style.time_step > 0.0;
+    const double full = forces ? style.chain_scale / style.time_step : style.chain_scale;
+    const ScaledUnit unit = scaled_unit(full, forces ? "N/m" : "N s/m");
+    double right = footer.right();
+    for (const double part : {1.0, 0.25}) {
+        choose_font(cr, 0.9 * letter);
+        const std::string text =
+            fmt::format("{:.3g} {}{}", part * full / unit.factor, unit.unit, part == 1.0 ? " or more" : "");
+        set_colour(cr, k_ink);
+        draw_text(cr, right, footer.y + 1.35 * letter, text, Align::right);
+        const double left = right - text_width(cr, text) - 3.0 * letter;
+        cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
+        cairo_set_line_width(cr, chain_thickness(style, part * style.chain_scale, scale));
+        set_colour(cr, k_chain_ink);
+        cairo_move_to(cr, left, footer.y + 1.0 * letter);
+        cairo_line_to(cr, left + 2.3 * letter, footer.y + 1.0 * letter);
+        cairo_stroke(cr);
+        right = left - letter;
+    }
+    set_colour(cr, k_ink);
+    draw_text(cr, right, footer.y + 1.35 * letter, forces ? "contact force" : "contact impulse", Align::right);
 }
 
 }  // namespace
@@ -128,13 +163,16 @@ void draw_header(cairo_t* cr, const Rect& header, double letter, const std::stri
     draw_text(cr, header.x, base, fitted(cr, title, room), Align::left);
 }
 
-void draw_legend(cairo_t* cr, const Rect& footer, double letter, const FrameStyle& style, const Scene& scene) {
+void draw_legend(cairo_t* cr, const Rect& footer, double letter, const FrameStyle& style, const Scene& scene,
+                 double scale) {
     const Saved saved(cr);
-    if (style.colour == ColourBy::none) return;
-    if (style.colour == ColourBy::material) {
-        draw_material_key(cr, footer, letter, scene.materials);
-    } else {
-        draw_colour_bar(cr, footer, letter, style);
+    switch (style.colour) {
+        case ColourBy::none:
+        case ColourBy::id: return;
+        case ColourBy::material: draw_key(cr, footer, letter, material_names(scene.materials)); return;
+        case ColourBy::shape: draw_key(cr, footer, letter, shape_kinds(scene)); return;
+        case ColourBy::force: draw_chain_key(cr, footer, letter, style, scale); return;
+        default: draw_colour_bar(cr, footer, letter, style);
     }
 }
 

@@ -20,13 +20,17 @@ namespace polargrain {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, ColourBy>, 7> k_colours = {{{"speed", ColourBy::speed},
-                                                                        {"spin", ColourBy::spin},
-                                                                        {"angle", ColourBy::angle},
-                                                                        {"kinetic_energy", ColourBy::kinetic_energy},
-                                                                        {"size", ColourBy::size},
-                                                                        {"material", ColourBy::material},
-                                                                        {"none", ColourBy::none}}};
+constexpr std::array<std::pair<const char*, ColourBy>, 11> k_colours = {{{"speed", ColourBy::speed},
+                                                                         {"spin", ColourBy::spin},
+                                                                         {"angle", ColourBy::angle},
+                                                                         {"kinetic_energy", ColourBy::kinetic_energy},
+                                                                         {"size", ColourBy::size},
+                                                                         {"id", ColourBy::id},
+                                                                         {"shape", ColourBy::shape},
+                                                                         {"material", ColourBy::material},
+                                                                         {"contacts", ColourBy::contacts},
+                                                                         {"force", ColourBy::force},
+                                                                         {"none", ColourBy::none}}};
 
 /// Grows to hold what it is shown.
 class Bounds {
@@ -133,7 +137,11 @@ std::pair<double, double> colour_range(ColourBy quantity, const Scales& scales) 
                 return {0.0, round_up(scales.largest_radius)};
             }
             return {scales.least_radius, scales.largest_radius};
+        case ColourBy::contacts: return {0.0, 8.0};
+        case ColourBy::id:
+        case ColourBy::shape:
         case ColourBy::material:
+        case ColourBy::force:
         case ColourBy::none: break;
     }
     return {0.0, 1.0};
@@ -142,6 +150,10 @@ std::pair<double, double> colour_range(ColourBy quantity, const Scales& scales) 
 void set_colour_scale(FrameStyle& style, const FrameSettings& settings, const Scales& scales) {
     std::tie(style.colour_min, style.colour_max) = colour_range(style.colour, scales);
     if (!settings.colour_max || style.colour == ColourBy::angle) return;
+    if (style.colour == ColourBy::force && style.time_step > 0.0) {
+        style.chain_scale = *settings.colour_max * style.time_step;
+        return;
+    }
     style.colour_max = *settings.colour_max;
     if (style.colour == ColourBy::spin) style.colour_min = -style.colour_max;
 }
@@ -164,7 +176,7 @@ ColourBy colour_by(std::string_view name) {
                                  nearest_name(name, known), fmt::join(known, ", ")));
 }
 
-FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title) {
+FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title, double time_step) {
     FrameStyle style;
     style.title = std::move(title);
     style.view = settings.view ? View{settings.view->first, settings.view->second} : whole_view(scene);
@@ -174,8 +186,12 @@ FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, s
     style.contacts = settings.contacts;
     style.time_decimals = decimals_for(settings.every);
     const Scales scales = scales_of(scene);
-    set_colour_scale(style, settings, scales);
+    style.time_step = time_step;
+    style.grain_radius = scales.mean_radius;
     style.impulse_scale = scales.mean_mass * scales.speed;
+    const double weight = scales.mean_mass * std::sqrt(scene.gravity.squaredNorm());
+    style.chain_scale = weight * time_step > 0.0 ? round_up(40.0 * weight) * time_step : style.impulse_scale;
+    set_colour_scale(style, settings, scales);
     return style;
 }
 

@@ -9,8 +9,9 @@
 
 namespace polargrain {
 
-/// What the fill of a grain shows.
-enum class ColourBy { speed, spin, angle, kinetic_energy, size, material, none };
+/// What a frame shows of the grains: by their fill, and with `force` by lines between the centres of grains that touch,
+/// as thick as the impulse is large.
+enum class ColourBy { speed, spin, angle, kinetic_energy, size, id, shape, material, contacts, force, none };
 
 /// InputError names the nearest known word.
 ColourBy colour_by(std::string_view name);
@@ -34,6 +35,9 @@ struct FrameStyle {
     double colour_max = 1.0;
     bool contacts = false;
     double impulse_scale = 1.0;  ///< [N s/m] drawn at full thickness
+    double chain_scale = 1.0;    ///< [N s/m] drawn at full thickness in force chains
+    double time_step = 0.0;      ///< [s] turns impulses into forces; 0: unknown
+    double grain_radius = 0.0;   ///< mean outer radius [m]
     int time_decimals = 3;       ///< of the time stamp [s]
 };
 
@@ -45,9 +49,12 @@ struct FrameStyle {
 /// The colour scale is colour_max, or from the scene alone. Its upper end for speed: the next round number above
 /// 0.4 sqrt(2 g H), H the largest drop, above 1.5 times the root mean square of the initial speeds and above the
 /// greatest wall speed; for spin 0.3 of that speed over the mean outer radius, both ways; for kinetic energy that of a
-/// mean grain at that speed; for size from the least to the greatest outer radius. The impulse scale is a mean grain's
-/// mass times that speed.
-/// InputError for a colour that is not known.
-FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title);
+/// mean grain at that speed; for size from the least to the greatest outer radius; for contacts from none to eight. The
+/// impulse scale is a mean grain's mass times that speed. Force chains are thickest at a round multiple of a mean
+/// grain's weight, about forty, so that a bed at rest shows its chains; without gravity or a known time step at the
+/// impulse scale.
+/// time_step: of the run [s]; 0 where it is not known. InputError for a colour that is not known.
+FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title,
+                            double time_step = 0.0);
 
 }  // namespace polargrain

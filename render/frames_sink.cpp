@@ -15,7 +15,7 @@ void FramesSink::begin(const Scene& scene, const RunInfo& info) {
     std::error_code failed;
     std::filesystem::create_directories(folder_, failed);
     if (failed) throw RunError(fmt::format("{}: cannot make the folder: {}", folder_.string(), failed.message()));
-    style_ = make_frame_style(settings_, scene, info.title);
+    style_ = make_frame_style(settings_, scene, info.title, info.dt);
     count_ = synced_ = 0;
     index_.emplace(folder_ / "index.csv");
     index_->write("file,time,step\n");
@@ -34,7 +34,7 @@ void FramesSink::save(Checkpoint& checkpoint) {
 }
 
 void FramesSink::resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) {
-    style_ = make_frame_style(settings_, scene, info.title);
+    style_ = make_frame_style(settings_, scene, info.title, info.dt);
     count_ = synced_ = saved.integers("count").at(0);
     for (std::int64_t frame = 0; frame < count_; ++frame) {
         require(std::filesystem::exists(file_of(frame)), "{}: is missing, but was there when the checkpoint was made",

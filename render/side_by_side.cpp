@@ -66,7 +66,7 @@ void paint_side_by_side(cairo_t* cr, const Rect& sheet, std::span<const NamedPic
         scale = Projection(style.view, cell).scale();
     }
     const Rect footer{k_side * letter, sheet.height - k_footer * letter, inner, k_footer * letter};
-    draw_legend(cr, footer, letter, style, pictures.front().picture.scene);
+    draw_legend(cr, footer, letter, style, pictures.front().picture.scene, scale);
     draw_scale_bar(cr, footer, letter, scale);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct RunRequest {
     std::optional<std::filesystem::path> folder;  ///< none: out/<scenario name>
     bool force = false;
     bool quiet = false;
+    bool brief = false;                  ///< show progress, but neither plan nor summary
     std::string program = "polargrain";  ///< as it was called
     std::string command_line;            ///< for messages that say how to repeat the run
 };
@@ -36,6 +38,24 @@ struct ResumeRequest {
 };
 int resume_command(const ResumeRequest& request);
 
+struct RenderRequest {
+    std::filesystem::path folder;  ///< of a run
+    std::optional<std::filesystem::path>
+        out;                           ///< folder of frames, or movie; none: named after the colour, in the folder
+    std::string format;                ///< png | svg | pdf | mp4; empty: mp4 where out ends so, else png
+    std::string colour;                ///< "by=speed" or "speed"; empty: as the run's own frames
+    std::optional<double> colour_max;  ///< upper end of the colour scale
+    bool contacts = false;             ///< draw contact points and impulses too
+    int every = 1;                     ///< take each N-th stored frame
+    double from = -std::numeric_limits<double>::infinity();  ///< [s]
+    double to = std::numeric_limits<double>::infinity();     ///< [s]
+    std::string size;                                        ///< "1280x720"; empty: as the run's own frames
+    double frames_per_second = 25.0;                         ///< of a movie
+    bool force = false;
+    bool quiet = false;
+};
+int render_command(const RenderRequest& request);
+
 struct CompareRequest {
     std::string scenario;
     ScenarioOverrides overrides;
@@ -46,6 +66,16 @@ struct CompareRequest {
     bool quiet = false;
 };
 int compare_command(const CompareRequest& request);
+
+struct SweepRequest {
+    std::filesystem::path file;
+    std::optional<std::filesystem::path> folder;  ///< none: out/<name of the file>
+    int jobs = 1;                                 ///< runs at a time
+    std::string program = "polargrain";           ///< as it was called
+    bool force = false;
+    bool quiet = false;
+};
+int sweep_command(const SweepRequest& request);
 
 struct CheckRequest {
     std::string scenario;
@@ -66,6 +96,7 @@ struct VerifyRequest {
     std::optional<std::filesystem::path> folder;  ///< where the run folders go; none: they are not kept
     int seeds = 1;                                ///< runs of each scenario, with its seed and those that follow
     bool force = false;
+    bool quiet = false;  ///< no progress, only the tables
     std::string command_line;
 };
 int verify_command(const VerifyRequest& request);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "render/frame_style.h"
+#include "render/movie.h"
 #include "render/side_by_side.h"
 #include "src/cli/commands.h"
 #include "src/cli/interrupt.h"
@@ -27,6 +28,7 @@ namespace {
 /// Readings over a run: enough for a curve, and few enough that measuring costs less than running.
 constexpr double k_readings = 200.0;
 constexpr int k_most_frames = 400;
+constexpr double k_movie_rate = 25.0;  // frames per second
 
 /// Raised between two steps when a signal has come.
 struct Stopped {};
@@ -170,6 +172,12 @@ void CompareSession::draw(const Comparison& comparison, const fs::path& folder) 
     std::size_t count = comparison.tracks[0][0].moments.size();
     for (const auto& tracks : comparison.tracks) count = std::min(count, tracks[0].moments.size());
     fs::create_directories(folder / "frames");
+    std::unique_ptr<Movie> movie;
+    if (can_make_movies()) {
+        movie = std::make_unique<Movie>(folder / "movie.mp4", style, k_movie_rate);
+    } else if (mode_ != DisplayMode::none) {
+        fmt::print("no movie: ffmpeg is not installed\n");
+    }
     for (std::size_t k = 0; k < count; ++k) {
         std::vector<NamedPicture> pictures;
         for (std::size_t e = 0; e < engines_.size(); ++e) {
@@ -178,7 +186,9 @@ void CompareSession::draw(const Comparison& comparison, const fs::path& folder) 
         }
         draw_side_by_side(pictures, style,
                           folder / "frames" / fmt::format("{:06}.{}", k, scenario.output.frames.format));
+        if (movie) movie->add(pictures);
     }
+    if (movie) movie->finish();
 }
 
 }  // namespace

@@ -17,6 +17,14 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
         fmt::format("{}: another polargrain is running in this folder; wait for it, or stop it", folder.string()));
 }
 
+bool FolderLock::is_free(const std::filesystem::path& folder) {
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return true;
+    const bool free = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    close(descriptor);
+    return free;
+}
+
 FolderLock::~FolderLock() { close(folder_); }
 
 }  // namespace polargrain

@@ -13,6 +13,9 @@ public:
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
+    /// Whether no program holds it just now.
+    static bool is_free(const std::filesystem::path& folder);
+
 private:
     int folder_;
 };

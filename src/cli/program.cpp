@@ -79,6 +79,40 @@ void add_resume(CLI::App& app, ResumeRequest& request, Action& action) {
     command->callback([&] { action = [&] { return resume_command(request); }; });
 }
 
+void add_render(CLI::App& app, RenderRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("render", "draw a run again in another way, without simulating");
+    command->add_option("DIR", request.folder, "run folder")->required();
+    command->add_option("-o,--output", request.out, "folder for frames, or movie; default frames-COLOUR in DIR")
+        ->type_name("OUT");
+    command->add_option("--format", request.format, "png, svg, pdf, or mp4 (needs ffmpeg); default png")
+        ->check(CLI::IsMember({"png", "svg", "pdf", "mp4"}));
+    command
+        ->add_option("--colour", request.colour,
+                     "speed, spin, angle, kinetic_energy, size, id, shape, material, contacts, force (chains) or none")
+        ->type_name("by=WHAT");
+    command->add_option("--colour-max", request.colour_max, "upper end of the colour scale, SI units")
+        ->type_name("VALUE")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--contacts", request.contacts, "draw contact points and impulses too");
+    command->add_option("--every", request.every, "take each N-th stored frame")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--from", request.from, "first time to draw [s]")->type_name("T");
+    command->add_option("--to", request.to, "last time to draw [s]")->type_name("T");
+    command->add_option("--size", request.size, "width and height in pixels, as 1280x720")->type_name("WxH");
+    command->add_option("--fps", request.frames_per_second, "frames per second of a movie, default 25")
+        ->type_name("N")
+        ->check(CLI::Range(0.1, 240.0));
+    command->add_flag("--force", request.force, "replace what is there");
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain render out/bin-rough --colour by=force --every 10\n"
+        "  polargrain render out/bin-rough -o out/bin.mp4 --colour by=spin --size 1920x1080 --fps 50\n"
+        "  polargrain render out/bin-rough --format pdf --from 0.4 --to 0.5 -o out/figure");
+    command->callback([&] { action = [&] { return render_command(request); }; });
+}
+
 void add_compare(CLI::App& app, CompareRequest& request, Action& action) {
     CLI::App* command =
         app.add_subcommand("compare", "the same scene through several engines: pictures, plots, verdicts");
@@ -96,15 +130,34 @@ void add_compare(CLI::App& app, CompareRequest& request, Action& action) {
         ->add_option("--set", request.overrides.set, "lay a value over the file, e.g. run.duration=2 (may be repeated)")
         ->type_name("KEY.PATH=VALUE")
         ->allow_extra_args(false);
-    command->add_flag("--no-frames", request.overrides.no_frames, "draw no pictures");
+    command->add_flag("--no-frames", request.overrides.no_frames, "draw no pictures and make no movie");
     command->add_flag("--force", request.force, "replace what is in the folder");
     command->add_flag("--quiet", request.quiet, "print nothing but errors");
     command->footer(
         "Examples:\n"
         "  polargrain compare domino-opalene --engines contact,box2d\n"
         "  polargrain compare bin-rough --engines contact,contact-1994,box2d --seeds 8 -o out/bins\n"
-        "The folder gets report.md, values.csv, series.csv, observables.png and .pdf, frames/ side by side.");
+        "The folder gets report.md, values.csv, series.csv, observables.png and .pdf, frames/ side by side (first "
+        "seed),\n"
+        "and movie.mp4 where ffmpeg is installed.");
     command->callback([&] { action = [&] { return compare_command(request); }; });
+}
+
+void add_sweep(CLI::App& app, SweepRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("sweep", "many runs over parameter values and seeds, one table at the end");
+    command->add_option("SWEEP", request.file, "sweep file; docs/sweep.md explains it")->required();
+    command->add_option("-o,--output", request.folder, "folder; default out/<sweep name>")->type_name("DIR");
+    command->add_option("--jobs", request.jobs, "runs at a time, default 1")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--force", request.force, "replace another sweep that is in the folder");
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain sweep scenarios/sweeps/pour-friction.toml --jobs 2\n"
+        "  polargrain sweep my-sweep.toml -o out/mine       (the same again after Ctrl-C or a kill: it goes on)\n"
+        "The folder gets a run folder for each run under runs/, and table.csv with a row for each.");
+    command->callback([&] { action = [&] { return sweep_command(request); }; });
 }
 
 void add_check(CLI::App& app, CheckRequest& request, Action& action) {
@@ -128,10 +181,12 @@ void add_verify(CLI::App& app, VerifyRequest& request, Action& action) {
         ->check(CLI::Range(1, 10000));
     add_overrides(*command, request.overrides);
     command->add_flag("--force", request.force, "replace the runs that are in the folder");
+    command->add_flag("--quiet", request.quiet, "print the tables and nothing else");
     command->footer(
         "Examples:\n"
         "  polargrain verify domino-opalene\n"
-        "  polargrain verify drum silo -o out/verified --seeds 4    (mean +- standard deviation of a run)\n"
+        "  polargrain verify rotating-drum silo-janssen -o out/verified --seeds 4    (mean +- standard deviation of a "
+        "run)\n"
         "  polargrain verify my.toml --engine contact-1994\n"
         "The exit code is 1 if anything falls short. polargrain list observables tells what can be expected.");
     command->callback([&] { action = [&] { return verify_command(request); }; });
@@ -259,6 +314,8 @@ int run_program(int argc, const char* const* argv) {
 
     RunRequest run;
     ResumeRequest resume;
+    RenderRequest render;
+    SweepRequest sweep;
     CheckRequest check;
     CompareRequest compare;
     VerifyRequest verify;
@@ -269,9 +326,11 @@ int run_program(int argc, const char* const* argv) {
     Action action;
     reproduce.command_line = command_line({argv, static_cast<std::size_t>(argc)});
     run.command_line = verify.command_line = command_line({argv, static_cast<std::size_t>(argc)});
-    run.program = resume.program = argv[0];
+    run.program = resume.program = sweep.program = argv[0];
     add_run(app, run, action);
     add_resume(app, resume, action);
+    add_render(app, render, action);
+    add_sweep(app, sweep, action);
     add_check(app, check, action);
     add_compare(app, compare, action);
     add_verify(app, verify, action);

@@ -15,11 +15,6 @@ constexpr std::chrono::seconds k_between_lines{10};
 constexpr int k_bar_width = 30;
 constexpr const char* k_erase_line = "\r\x1b[K";
 
-std::string numbers(const Progress& progress) {
-    return fmt::format("t = {:.4g} of {:.4g} s, {:.4g} steps/s, {} left", progress.time, progress.end,
-                       progress.steps_per_second, clock_text(progress.seconds_left));
-}
-
 }  // namespace
 
 DisplayMode display_mode(bool quiet) {
@@ -33,13 +28,23 @@ std::string clock_text(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-ProgressDisplay::ProgressDisplay(std::string label, DisplayMode mode)
-    : label_(std::move(label)), mode_(mode), last_line_(Clock::now()) {}
+ProgressDisplay::ProgressDisplay(std::string label, DisplayMode mode, std::string counted)
+    : label_(std::move(label)), mode_(mode), counted_(std::move(counted)), last_line_(Clock::now()) {}
 
 ProgressDisplay::~ProgressDisplay() {
     if (mode_ != DisplayMode::bar) return;
     std::fputs(k_erase_line, stdout);
     std::fflush(stdout);
+}
+
+std::string ProgressDisplay::numbers(const Progress& progress) const {
+    const std::string left = clock_text(progress.seconds_left);
+    if (!counted_.empty()) {
+        return fmt::format("{} of {:.0f} {}, {:.3g}/s, {} left", progress.steps, progress.end, counted_,
+                           progress.steps_per_second, left);
+    }
+    return fmt::format("t = {:.4g} of {:.4g} s, {:.4g} steps/s, {} left", progress.time, progress.end,
+                       progress.steps_per_second, left);
 }
 
 void ProgressDisplay::show(const Progress& progress) {

@@ -19,8 +19,9 @@ DisplayMode display_mode(bool quiet);
 /// Shows on standard output how far a loop has come: simulated time, step rate, time left.
 class ProgressDisplay {
 public:
-    /// label: what is going on, in front of each line.
-    ProgressDisplay(std::string label, DisplayMode mode);
+    /// label: what is going on, in front of each line. counted: what the steps of the loop are, where they are not
+    /// steps of simulated time.
+    ProgressDisplay(std::string label, DisplayMode mode, std::string counted = "");
     /// Takes the bar away, if there is one.
     ~ProgressDisplay();
     ProgressDisplay(const ProgressDisplay&) = delete;
@@ -31,9 +32,11 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     void show_line(const Progress& progress, double fraction);
+    std::string numbers(const Progress& progress) const;
 
     std::string label_;
     DisplayMode mode_;
+    std::string counted_;
     Clock::time_point last_line_;
     int quarters_shown_ = 0;
 };

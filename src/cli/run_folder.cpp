@@ -30,15 +30,19 @@ void remove_run_files(const fs::path& folder) {
     for (const char* name : k_run_files) fs::remove(folder / name);
     const fs::path frames = folder / "frames";
     if (!fs::is_directory(frames)) return;
+    remove_frames(frames);
+    if (fs::is_empty(frames)) fs::remove(frames);
+}
+
+}  // namespace
+
+void remove_frames(const fs::path& frames) {
     std::vector<fs::path> drawn;
     for (const fs::directory_entry& entry : fs::directory_iterator(frames)) {
         if (belongs_to_frames(entry.path())) drawn.push_back(entry.path());
     }
     for (const fs::path& file : drawn) fs::remove(file);
-    if (fs::is_empty(frames)) fs::remove(frames);
 }
-
-}  // namespace
 
 void check_run_folder(const fs::path& folder, bool force) {
     if (!fs::exists(folder)) return;

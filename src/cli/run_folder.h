@@ -12,6 +12,9 @@ void check_run_folder(const std::filesystem::path& folder, bool force);
 /// of, nothing else. RunError where that fails.
 void create_run_folder(const std::filesystem::path& folder);
 
+/// Removes drawn frames and their index.csv from a folder, nothing else.
+void remove_frames(const std::filesystem::path& frames);
+
 /// Removes the files of a run from the folder, and the folder if it is empty then.
 void discard_run_folder(const std::filesystem::path& folder);
 

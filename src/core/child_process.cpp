@@ -23,9 +23,13 @@ namespace {
 /// Where the three standard streams of a child go.
 class Redirections {
 public:
-    explicit Redirections(const fs::path& log) {
+    Redirections(const fs::path& log, int input) {
         posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        if (input >= 0) {
+            posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
+        } else {
+            posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        }
         posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
         posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
     }
@@ -40,13 +44,13 @@ private:
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& words, const fs::path& log) {
+ChildProcess::ChildProcess(const std::vector<std::string>& words, const fs::path& log, int input) {
     std::vector<std::string> copies = words;
     std::vector<char*> arguments;
     arguments.reserve(copies.size() + 1);
     for (std::string& word : copies) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    const Redirections redirections(log);
+    const Redirections redirections(log, input);
     const int failure = posix_spawnp(&pid_, arguments[0], redirections.get(), nullptr, arguments.data(), environ);
     if (failure == 0) return;
     pid_ = -1;

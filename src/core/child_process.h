@@ -11,12 +11,13 @@ namespace polargrain {
 
 /// Another program, running beside this one.
 ///
-/// It reads nothing, and whatever it prints goes to a file. Destroying the object ends a program that still runs.
+/// It reads nothing unless an input is given, and whatever it prints goes to a file. Destroying the object ends a
+/// program that still runs.
 class ChildProcess {
 public:
     /// words: the program (a path, or a name to be looked for on PATH) and its arguments. log: file for what it
-    /// prints. RunError where it cannot be started.
-    ChildProcess(const std::vector<std::string>& words, const std::filesystem::path& log);
+    /// prints. input: open file that it reads, none where negative. RunError where it cannot be started.
+    ChildProcess(const std::vector<std::string>& words, const std::filesystem::path& log, int input = -1);
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;

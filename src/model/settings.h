@@ -33,7 +33,7 @@ struct FrameSettings {
     int width = 1280;            ///< [pixel]
     int height = 0;              ///< [pixel]; 0: follows from the view
     std::string colour =
-        "speed";            ///< what the fill shows: speed | spin | angle | kinetic_energy | size | material | none
+        "speed";  ///< speed | spin | angle | kinetic_energy | size | id | shape | material | contacts | force | none
     bool contacts = false;  ///< draw contact points and impulses
     std::optional<std::pair<Vec2, Vec2>>
         view;  ///< lower left and upper right corner [m]; none: all walls and grains at time zero

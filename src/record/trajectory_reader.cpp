@@ -73,10 +73,12 @@ public:
         title = h5::text(ours.id(), "title");
         source = h5::text(ours.id(), "source");
         engine = h5::text(ours.id(), "engine");
+        time_step = h5::number<double>(ours.id(), "time_step");
         const Handle creator = h5::open_group(file_.id(), "/h5md/creator");
         writer_version = h5::text(creator.id(), "version");
         read_scene(ours.id());
-        frames = static_cast<int>(h5::data<double>(file_.id(), path_in(layout::k_grains, "position/time")).size());
+        times = h5::data<double>(file_.id(), path_in(layout::k_grains, "position/time"));
+        frames = static_cast<int>(times.size());
         if (frames > 0) scene.grains = read_frame(0).world.grains;
     }
 
@@ -93,7 +95,9 @@ public:
 
     std::filesystem::path path;
     std::string title, source, engine, writer_version;
+    double time_step = 0.0;
     Scene scene;
+    std::vector<double> times;  // [s] of each frame
     int frames = 0;
 
 private:
@@ -181,8 +185,11 @@ const std::string& TrajectoryReader::title() const { return file_->title; }
 const std::string& TrajectoryReader::source() const { return file_->source; }
 const std::string& TrajectoryReader::engine() const { return file_->engine; }
 const std::string& TrajectoryReader::version() const { return file_->writer_version; }
+double TrajectoryReader::time_step() const { return file_->time_step; }
 const Scene& TrajectoryReader::scene() const { return file_->scene; }
 int TrajectoryReader::frames() const { return file_->frames; }
+
+double TrajectoryReader::time(int f) const { return file_->times.at(static_cast<std::size_t>(f)); }
 
 StoredFrame TrajectoryReader::frame(int f) const {
     try {

@@ -33,12 +33,15 @@ public:
     const std::string& source() const;
     const std::string& engine() const;
     const std::string& version() const;  ///< of the program that wrote the file
+    double time_step() const;            ///< of the run [s]
 
     /// Shapes, materials, walls, gravity and grains as they were in the first frame: enough to draw and to measure,
     /// not to run on. Walls carry no motion (their places stand in each frame) and materials no pair laws.
     const Scene& scene() const;
 
     int frames() const;
+    /// Of frame f of [0, frames()) [s].
+    double time(int f) const;
     /// Frame f of [0, frames()).
     StoredFrame frame(int f) const;
 

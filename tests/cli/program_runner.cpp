@@ -35,7 +35,8 @@ std::string read_file(const fs::path& path) {
     return text.str();
 }
 
-RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const fs::path& folder) {
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const fs::path& folder,
+                               std::optional<rlim_t> largest_file) {
     const std::string program = POLARGRAIN_BINARY_DIR "/polargrain";
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
@@ -51,6 +52,8 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const 
     const int flags = O_WRONLY | O_CREAT | O_TRUNC;
     if (dup2(open(out.c_str(), flags, 0600), STDOUT_FILENO) < 0) _exit(k_no_program);
     if (dup2(open(err.c_str(), flags, 0600), STDERR_FILENO) < 0) _exit(k_no_program);
+    const rlimit limit{largest_file.value_or(RLIM_INFINITY), RLIM_INFINITY};
+    if (largest_file && setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(k_no_program);
     if (chdir(folder.c_str()) != 0) _exit(k_no_program);
     execv(program.c_str(), argv.data());
     _exit(k_no_program);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +36,9 @@ struct Outcome {
 /// The built program, started in a folder of its own, without a terminal.
 class RunningProgram {
 public:
-    RunningProgram(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+    /// largest_file: bytes beyond which none of its files can grow, as on a full disk.
+    RunningProgram(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                   std::optional<rlim_t> largest_file = std::nullopt);
     void send(int signal) const;
     /// Waits for its end; may be called once.
     Outcome wait();

@@ -1,0 +1,202 @@
+#include "scenarios/sweep_plan.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "scenarios/toml_text.h"
+#include "src/core/error.h"
+#include "src/core/nearest_name.h"
+
+namespace polargrain {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A parsed sweep file that knows where everything stands in it.
+class SweepFile {
+public:
+    explicit SweepFile(const fs::path& path) : path_(path) {
+        std::ifstream file(path, std::ios::binary);
+        require(file.good(), "{}: there is no such sweep file; docs/sweep.md explains how to write one", path.string());
+        text_.assign(std::istreambuf_iterator<char>(file), {});
+        try {
+            root_ = toml::parse(text_, path.string());
+        } catch (const toml::parse_error& error) {
+            fail(error.source(), std::string("not valid TOML: ") + std::string(error.description()));
+        }
+    }
+
+    const std::string& text() const { return text_; }
+    const toml::table& root() const { return root_; }
+    fs::path folder() const { return path_.parent_path(); }
+
+    [[noreturn]] void fail(const toml::source_region& source, const std::string& message) const {
+        throw InputError({path_.string(), static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)},
+                         message);
+    }
+    [[noreturn]] void fail(const std::string& message) const { throw InputError({path_.string(), 0, 0}, message); }
+
+private:
+    fs::path path_;
+    std::string text_;
+    toml::table root_;
+};
+
+void check_keys(const SweepFile& file) {
+    static const std::vector<std::string> known = {"title", "scenario", "seeds", "engines", "frames", "set", "vary"};
+    for (const auto& [key, value] : file.root()) {
+        const std::string name(key.str());
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        file.fail(key.source(), fmt::format("{}: unknown key; the nearest is {} (one of {})", name,
+                                            nearest_name(name, known), fmt::join(known, ", ")));
+    }
+}
+
+const toml::table* table_of(const SweepFile& file, const char* key) {
+    const toml::node* node = file.root().get(key);
+    if (node == nullptr) return nullptr;
+    if (!node->is_table()) {
+        file.fail(node->source(),
+                  fmt::format("{}: is {}, must be a table; head it with [{}]", key, kind_of(*node), key));
+    }
+    return node->as_table();
+}
+
+const toml::array* filled_array(const SweepFile& file, const std::string& key, const toml::node& node) {
+    const toml::array* values = node.as_array();
+    if (values == nullptr || values->empty()) {
+        file.fail(node.source(), fmt::format("{}: must be a list of at least one value; put it in [ ]", key));
+    }
+    return values;
+}
+
+std::string text_of(const SweepFile& file, const char* key, const std::string& fallback) {
+    const toml::node* node = file.root().get(key);
+    if (node == nullptr) return fallback;
+    if (!node->is_string()) file.fail(node->source(), fmt::format("{}: is {}, must be a string", key, kind_of(*node)));
+    return node->value_or(fallback);
+}
+
+fs::path scenario_of(const SweepFile& file) {
+    const toml::node* node = file.root().get("scenario");
+    if (node == nullptr) file.fail("scenario: is missing; name a scenario file, or a shipped scenario");
+    const std::string name = text_of(file, "scenario", "");
+    const fs::path beside = file.folder() / name;
+    try {
+        return find_scenario(fs::is_regular_file(beside) ? beside.string() : name);
+    } catch (const InputError& error) {
+        file.fail(node->source(), std::string("scenario: ") + error.what());
+    }
+}
+
+std::vector<std::uint64_t> seeds_of(const SweepFile& file) {
+    const toml::node* node = file.root().get("seeds");
+    std::vector<std::uint64_t> seeds;
+    if (node == nullptr) return seeds;
+    const auto number = [&file](const toml::node& value) {
+        const auto seed = value.value<std::int64_t>();
+        if (!value.is_integer() || *seed < 0) {
+            file.fail(value.source(), "seeds: must be whole numbers from 0 up, as in [1, 2, 3], or how many, as in 3");
+        }
+        return static_cast<std::uint64_t>(*seed);
+    };
+    if (const toml::array* values = node->as_array()) {
+        for (const toml::node& value : *values) seeds.push_back(number(value));
+    } else {
+        for (std::uint64_t seed = 1; seed <= number(*node); ++seed) seeds.push_back(seed);
+    }
+    if (seeds.empty()) file.fail(node->source(), "seeds: are none; leave the key out for the scenario's own");
+    return seeds;
+}
+
+std::vector<std::string> engines_of(const SweepFile& file) {
+    std::vector<std::string> engines;
+    const toml::node* node = file.root().get("engines");
+    if (node == nullptr) return engines;
+    for (const toml::node& value : *filled_array(file, "engines", *node)) {
+        if (!value.is_string()) file.fail(value.source(), "engines: must be names, as in [\"contact\", \"dem\"]");
+        engines.push_back(value.value_or(std::string()));
+    }
+    return engines;
+}
+
+/// Calls take(key path, value) for each value of a table and of the tables in it: run.duration = 1 is the same as
+/// "run.duration" = 1.
+template <typename Take>
+void for_each_setting(const SweepFile& file, const toml::table& table, const std::string& prefix, Take take) {
+    for (const auto& [key, value] : table) {
+        const std::string path = prefix + std::string(key.str());
+        if (const toml::table* inner = value.as_table()) {
+            for_each_setting(file, *inner, path + ".", take);
+            continue;
+        }
+        // These have a place of their own.
+        for (const auto& [taken, instead] : {std::pair{"run.seed", "seeds"}, std::pair{"run.engine", "engines"}}) {
+            if (path == taken) {
+                file.fail(key.source(), fmt::format("{}: give it by the key {} at the top of the file", path, instead));
+            }
+        }
+        take(path, value);
+    }
+}
+
+}  // namespace
+
+SweepPlan load_sweep(const fs::path& path) {
+    const SweepFile file(path);
+    check_keys(file);
+    SweepPlan plan;
+    plan.title = text_of(file, "title", path.stem().string());
+    plan.text = file.text();
+    plan.scenario = scenario_of(file);
+    plan.engines = engines_of(file);
+    plan.seeds = seeds_of(file);
+    plan.frames = file.root()["frames"].value_or(false);
+    if (const toml::table* set = table_of(file, "set")) {
+        for_each_setting(file, *set, "", [&plan](const std::string& key, const toml::node& value) {
+            plan.set.push_back(key + "=" + toml_text(value));
+        });
+    }
+    if (const toml::table* vary = table_of(file, "vary")) {
+        for_each_setting(file, *vary, "", [&](const std::string& key, const toml::node& values) {
+            SweepPlan::Parameter parameter{key, {}};
+            for (const toml::node& value : *filled_array(file, key, values)) {
+                parameter.values.push_back(toml_text(value));
+            }
+            plan.parameters.push_back(std::move(parameter));
+        });
+    }
+    return plan;
+}
+
+std::vector<SweepRun> sweep_runs(const SweepPlan& plan) {
+    std::vector<SweepRun> runs(1);
+    runs[0].overrides.set = plan.set;
+    runs[0].overrides.no_frames = !plan.frames;
+    const auto multiply = [&runs](const auto& values, auto put) {
+        if (values.empty()) return;
+        std::vector<SweepRun> more;
+        for (const SweepRun& run : runs) {
+            for (const auto& value : values) {
+                more.push_back(run);
+                put(more.back(), value);
+            }
+        }
+        runs = std::move(more);
+    };
+    for (const SweepPlan::Parameter& parameter : plan.parameters) {
+        multiply(parameter.values, [&parameter](SweepRun& run, const std::string& value) {
+            run.values.push_back(value);
+            run.overrides.set.push_back(parameter.key + "=" + value);
+        });
+    }
+    multiply(plan.engines, [](SweepRun& run, const std::string& engine) { run.overrides.engine = engine; });
+    multiply(plan.seeds, [](SweepRun& run, std::uint64_t seed) { run.overrides.seed = seed; });
+    return runs;
+}
+
+}  // namespace polargrain

@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "render/frame.h"
+#include "render/movie.h"
+#include "scenarios/reader.h"
+#include "src/cli/commands.h"
+#include "src/cli/progress_display.h"
+#include "src/cli/run_folder.h"
+#include "src/core/error.h"
+#include "src/record/text_file.h"
+#include "src/run/progress.h"
+
+namespace polargrain {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* k_movie = "mp4";
+
+/// How a run's own frames are drawn, as far as its folder still tells: with the wall motions that a recording does not
+/// hold, so that the view and the colours are the same.
+struct Drawing {
+    FrameSettings settings;
+    Scene scene;
+};
+
+/// "1280x720".
+std::pair<int, int> parsed_size(const std::string& text) {
+    int width = 0, height = 0;
+    const char* const end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, width);
+    const bool cross = first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x';
+    const auto second = std::from_chars(cross ? first.ptr + 1 : end, end, height);
+    const auto good = [](int pixels) { return pixels >= 16 && pixels <= 16384; };
+    require(cross && second.ec == std::errc{} && second.ptr == end && good(width) && good(height),
+            "--size {}: must be width and height in pixels, from 16 to 16384 each, as in 1280x720", text);
+    return {width, height};
+}
+
+Drawing drawing_of(const RenderRequest& request, const TrajectoryReader& recording) {
+    Drawing drawing{{}, recording.scene()};
+    const fs::path file = request.folder / "scenario.toml";
+    if (fs::exists(file)) {
+        const Scenario scenario = load_scenario(file);
+        drawing.settings = scenario.output.frames;
+        require(scenario.scene.walls.size() == drawing.scene.walls.size(),
+                "{}: has {} walls, trajectory.h5 has {}; they are not of the same run", file.string(),
+                scenario.scene.walls.size(), drawing.scene.walls.size());
+        drawing.scene.walls = scenario.scene.walls;
+    }
+    FrameSettings& settings = drawing.settings;
+    if (!request.colour.empty()) {
+        const std::string by = "by=";
+        const std::string colour = request.colour.starts_with(by) ? request.colour.substr(by.size()) : request.colour;
+        if (colour != settings.colour) settings.colour_max.reset();
+        settings.colour = colour;
+    }
+    if (request.colour_max) settings.colour_max = request.colour_max;
+    if (request.contacts) settings.contacts = true;
+    if (!request.size.empty()) std::tie(settings.width, settings.height) = parsed_size(request.size);
+    return drawing;
+}
+
+std::string format_of(const RenderRequest& request) {
+    if (!request.format.empty()) return request.format;
+    return request.out && request.out->extension() == std::string(".") + k_movie ? k_movie : "png";
+}
+
+fs::path place_of(const RenderRequest& request, const std::string& format, const std::string& colour) {
+    if (request.out) return *request.out;
+    if (format == k_movie) return request.folder / ("movie-" + colour + "." + format);
+    return request.folder / ("frames-" + colour);
+}
+
+std::vector<int> chosen_frames(const RenderRequest& request, const TrajectoryReader& recording) {
+    std::vector<int> chosen;
+    // A frame is stored at the first step at or after its time.
+    const double late = recording.time_step();
+    for (int f = 0; f < recording.frames(); ++f) {
+        const double time = recording.time(f);
+        if (time >= request.from && time < request.to + late) chosen.push_back(f);
+    }
+    require(!chosen.empty(), "--from {} --to {}: no frame of {} is in between; they go from {} s to {} s", request.from,
+            request.to, (request.folder / "trajectory.h5").string(), recording.time(0),
+            recording.time(recording.frames() - 1));
+    std::vector<int> thinned;
+    for (std::size_t k = 0; k < chosen.size(); k += static_cast<std::size_t>(request.every)) {
+        thinned.push_back(chosen[k]);
+    }
+    return thinned;
+}
+
+/// Takes one picture after the other.
+class Output {
+public:
+    virtual ~Output() = default;
+    virtual void add(const Picture& picture, std::int64_t step) = 0;
+    virtual void finish() = 0;
+};
+
+class MovieOutput final : public Output {
+public:
+    MovieOutput(const fs::path& path, const FrameStyle& style, double rate) : movie_(path, style, rate) {}
+    void add(const Picture& picture, std::int64_t /*step*/) override { movie_.add(picture); }
+    void finish() override { movie_.finish(); }
+
+private:
+    Movie movie_;
+};
+
+class FolderOutput final : public Output {
+public:
+    FolderOutput(fs::path folder, std::string format, FrameStyle style)
+        : folder_(std::move(folder)),
+          format_(std::move(format)),
+          style_(std::move(style)),
+          index_((fs::create_directories(folder_), folder_ / "index.csv")) {
+        index_.write("file,time,step\n");
+    }
+    void add(const Picture& picture, std::int64_t step) override {
+        const std::string file = fmt::format("{:06}.{}", count_++, format_);
+        draw_frame(picture, style_, folder_ / file);
+        index_.write(fmt::format("{},{},{}\n", file, picture.time, step));
+    }
+    void finish() override { index_.close(); }
+
+private:
+    fs::path folder_;
+    std::string format_;
+    FrameStyle style_;
+    TextFile index_;
+    int count_ = 0;
+};
+
+std::unique_ptr<Output> open_output(const RenderRequest& request, const fs::path& place, const std::string& format,
+                                    const FrameStyle& style) {
+    const bool filled = fs::is_directory(place) ? !fs::is_empty(place) : fs::exists(place);
+    require(request.force || !filled, "{}: is there already; give another name with -o, or --force to replace it",
+            place.string());
+    if (format == k_movie) {
+        require(!fs::is_directory(place), "{}: is a folder; give the name of a movie with -o", place.string());
+        return std::make_unique<MovieOutput>(place, style, request.frames_per_second);
+    }
+    require(!fs::exists(place) || fs::is_directory(place), "{}: is a file; give a folder for the frames with -o",
+            place.string());
+    if (filled) remove_frames(place);
+    return std::make_unique<FolderOutput>(place, format, style);
+}
+
+}  // namespace
+
+int render_command(const RenderRequest& request) {
+    require(fs::is_directory(request.folder), "{}: no such run folder; give the folder that polargrain run has made",
+            request.folder.string());
+    const TrajectoryReader recording(request.folder / "trajectory.h5");
+    const Drawing drawing = drawing_of(request, recording);
+    const FrameStyle style =
+        make_frame_style(drawing.settings, drawing.scene, recording.title(), recording.time_step());
+    const std::vector<int> frames = chosen_frames(request, recording);
+    const std::string format = format_of(request);
+    const fs::path place = place_of(request, format, drawing.settings.colour);
+    const std::unique_ptr<Output> output = open_output(request, place, format, style);
+    {
+        ProgressDisplay display("drawing", display_mode(request.quiet), "frames");
+        const LoopControl control{.progress = [&display](const Progress& progress) { display.show(progress); }};
+        ProgressMeter meter(control, 0, static_cast<std::int64_t>(frames.size()), 1.0);
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            const StoredFrame frame = recording.frame(frames[k]);
+            output->add(picture_of(recording.scene(), frame), frame.world.step);
+            meter.after_step(static_cast<std::int64_t>(k + 1));
+        }
+    }
+    output->finish();
+    if (!request.quiet) fmt::print("{} frames: {}\n", frames.size(), place.string());
+    return k_exit_done;
+}
+
+}  // namespace polargrain

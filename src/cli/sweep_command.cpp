@@ -1,0 +1,247 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "scenarios/sweep_plan.h"
+#include "src/cli/commands.h"
+#include "src/cli/folder_lock.h"
+#include "src/cli/interrupt.h"
+#include "src/cli/prepared_run.h"
+#include "src/cli/progress_display.h"
+#include "src/cli/shell_words.h"
+#include "src/core/child_process.h"
+#include "src/core/error.h"
+#include "src/record/text_file.h"
+
+namespace polargrain {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr std::chrono::milliseconds k_between_looks{20};
+
+std::string content_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// One run of the sweep and its folder.
+struct Job {
+    SweepRun run;
+    std::string name;  ///< "0007"
+    fs::path folder;
+    std::string scenario;  ///< resolved text that it runs, or has run
+    std::unique_ptr<ChildProcess> child;
+    bool done = false;
+    bool failed = false;
+
+    fs::path log() const { return fs::path(folder.string() + ".log"); }
+    bool begun() const { return content_of(folder / "scenario.toml") == scenario; }
+    bool completed() const {
+        const Json summary = Json::parse(content_of(folder / "summary.json"), nullptr, false);
+        return begun() && summary.is_object() && !summary.value("interrupted", true);
+    }
+};
+
+std::vector<Job> jobs_of(const SweepPlan& plan, const fs::path& folder) {
+    std::vector<Job> jobs;
+    for (SweepRun& run : sweep_runs(plan)) {
+        Job job;
+        // Read here for all of them, so that a mistake in the last one shows before the first one runs.
+        job.scenario = prepare_run(plan.scenario.string(), run.overrides).scenario.resolved_toml;
+        job.name = fmt::format("{:04}", jobs.size());
+        job.folder = folder / "runs" / job.name;
+        job.run = std::move(run);
+        jobs.push_back(std::move(job));
+    }
+    return jobs;
+}
+
+std::vector<std::string> words_for(const Job& job, const SweepPlan& plan) {
+    const std::string program = fs::read_symlink("/proc/self/exe").string();
+    if (job.begun()) return {program, "resume", job.folder.string(), "--quiet"};
+    const ScenarioOverrides& overrides = job.run.overrides;
+    std::vector<std::string> words{program,   "run",    plan.scenario.string(), "-o", job.folder.string(),
+                                   "--quiet", "--force"};
+    for (const std::string& set : overrides.set) words.insert(words.end(), {"--set", set});
+    if (overrides.engine) words.insert(words.end(), {"--engine", *overrides.engine});
+    if (overrides.seed) words.insert(words.end(), {"--seed", std::to_string(*overrides.seed)});
+    if (overrides.no_frames) words.emplace_back("--no-frames");
+    return words;
+}
+
+/// The runs on their way, so many at a time.
+class Schedule {
+public:
+    Schedule(std::vector<Job>& jobs, const SweepPlan& plan, int at_a_time)
+        : jobs_(jobs), plan_(plan), at_a_time_(at_a_time) {
+        for (Job& job : jobs_) job.done = job.completed();
+    }
+
+    std::int64_t done() const {
+        return std::count_if(jobs_.begin(), jobs_.end(), [](const Job& job) { return job.done || job.failed; });
+    }
+    bool over() const { return done() == static_cast<std::int64_t>(jobs_.size()); }
+
+    /// Collects what has ended and starts what there is room for.
+    void look() {
+        int running = 0;
+        for (Job& job : jobs_) {
+            if (job.child) collect(job);
+            running += job.child ? 1 : 0;
+        }
+        for (Job& job : jobs_) {
+            if (running >= at_a_time_) return;
+            // A run of a sweep that was killed may be going on yet: it is left to itself, and looked at again.
+            if (job.done || job.failed || job.child || !FolderLock::is_free(job.folder)) continue;
+            job.done = job.completed();
+            if (job.done) continue;
+            job.child = std::make_unique<ChildProcess>(words_for(job, plan_), job.log());
+            ++running;
+        }
+    }
+
+    /// Lets each run in progress write a checkpoint and end.
+    void stop() {
+        for (const Job& job : jobs_) {
+            if (job.child) job.child->interrupt();
+        }
+        for (Job& job : jobs_) {
+            if (job.child) job.child->wait();
+            job.child.reset();
+        }
+    }
+
+private:
+    static void collect(Job& job) {
+        const std::optional<int> code = job.child->poll();
+        if (!code) return;
+        job.child.reset();
+        job.done = *code == k_exit_done;
+        job.failed = !job.done;
+        if (job.done) fs::remove(job.log());
+    }
+
+    std::vector<Job>& jobs_;
+    const SweepPlan& plan_;
+    int at_a_time_;
+};
+
+/// False where it was interrupted.
+bool run_all(Schedule& schedule, std::int64_t count, bool quiet) {
+    ProgressDisplay display("sweeping", display_mode(quiet), "runs");
+    const LoopControl control{.stop = &watch_interrupts(),
+                              .progress = [&display](const Progress& progress) { display.show(progress); }};
+    ProgressMeter meter(control, schedule.done(), count, 1.0);
+    while (!schedule.over()) {
+        if (control.stop_requested()) {
+            schedule.stop();
+            return false;
+        }
+        schedule.look();
+        meter.after_step(schedule.done());
+        std::this_thread::sleep_for(k_between_looks);
+    }
+    return true;
+}
+
+std::string number_text(const Json& value) {
+    return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
+}
+
+/// A row for each run; a column for each parameter and each observable that any run has; empty where one has no value.
+std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
+    std::vector<Json> summaries;
+    std::set<std::string> observables;
+    for (const Job& job : jobs) {
+        summaries.push_back(job.done ? Json::parse(content_of(job.folder / "summary.json")) : Json::object());
+        const Json values = summaries.back().value("observables", Json::object());
+        for (auto entry = values.begin(); entry != values.end(); ++entry) observables.insert(entry.key());
+    }
+    std::string table = "run";
+    for (const SweepPlan::Parameter& parameter : plan.parameters) table += "," + csv_field(parameter.key);
+    table += ",engine,seed,status,steps,simulated_seconds,state_hash";
+    for (const std::string& name : observables) table += "," + csv_field(name);
+    table += "\n";
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+        table += jobs[k].name;
+        for (const std::string& value : jobs[k].run.values) table += "," + csv_field(value);
+        const Json& summary = summaries[k];
+        table += fmt::format(",{},{},{},{},{},{}", summary.value("engine", ""),
+                             summary.contains("seed") ? summary["seed"].dump() : "", jobs[k].done ? "done" : "failed",
+                             summary.contains("steps") ? summary["steps"].dump() : "",
+                             summary.contains("simulated_seconds") ? number_text(summary["simulated_seconds"]) : "",
+                             summary.value("state_hash", ""));
+        const Json values = summary.value("observables", Json::object());
+        for (const std::string& name : observables) {
+            table += "," + (values.contains(name) ? number_text(values[name]) : "");
+        }
+        table += "\n";
+    }
+    return table;
+}
+
+/// Takes the folder for this sweep, or takes up the sweep that is in it.
+void open_folder(const SweepRequest& request, const fs::path& folder, const SweepPlan& plan) {
+    const fs::path copy = folder / "sweep.toml";
+    const bool ours = fs::exists(copy) && content_of(copy) == plan.text;
+    if (!ours && fs::exists(folder)) {
+        require(fs::is_directory(folder), "{}: is a file; give another folder with -o", folder.string());
+        require(request.force || fs::is_empty(folder),
+                "{}: holds something else than this sweep; give another folder with -o, or --force to replace the "
+                "sweep in it",
+                folder.string());
+    }
+    std::error_code failed;
+    fs::create_directories(folder / "runs", failed);
+    if (failed) throw RunError(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
+    if (!ours) write_whole_file(copy, plan.text);
+}
+
+int report(const std::vector<Job>& jobs, const fs::path& table, bool quiet) {
+    std::int64_t failed = 0;
+    for (const Job& job : jobs) {
+        if (!job.failed) continue;
+        ++failed;
+        fmt::print(stderr, "run {} failed; what it said is in {}\n", job.name, job.log().string());
+    }
+    if (!quiet) fmt::print("{} runs, {} failed: {}\n", jobs.size(), failed, table.string());
+    return failed == 0 ? k_exit_done : k_exit_failed;
+}
+
+}  // namespace
+
+int sweep_command(const SweepRequest& request) {
+    const SweepPlan plan = load_sweep(request.file);
+    const fs::path folder = request.folder.value_or(fs::path("out") / request.file.stem());
+    std::vector<Job> jobs = jobs_of(plan, folder);
+    open_folder(request, folder, plan);
+    const FolderLock lock(folder);
+    Schedule schedule(jobs, plan, request.jobs);
+    if (!request.quiet) {
+        fmt::print("{}: {} runs of {}, {} of them done already\n", plan.title, jobs.size(), plan.scenario.string(),
+                   schedule.done());
+    }
+    if (!run_all(schedule, static_cast<std::int64_t>(jobs.size()), request.quiet)) {
+        fmt::print(stderr, "interrupted; {} of {} runs are done\nto carry the sweep on: {} sweep {} -o {}\n",
+                   schedule.done(), jobs.size(), shell_quoted(request.program), shell_quoted(request.file.string()),
+                   shell_quoted(folder.string()));
+        return k_exit_interrupted;
+    }
+    const fs::path table = folder / "table.csv";
+    write_whole_file(table, table_of(jobs, plan));
+    return report(jobs, table, request.quiet);
+}
+
+}  // namespace polargrain
