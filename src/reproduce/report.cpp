@@ -21,7 +21,7 @@ constexpr const char* k_style = R"(
 body { font: 16px/1.5 "DejaVu Sans", Helvetica, Arial, sans-serif; color: #22262c; max-width: 62rem; margin: 2rem auto;
        padding: 0 1.5rem; }
 h1 { font-size: 1.7rem; line-height: 1.25; } h2 { font-size: 1.25rem; margin-top: 3rem; border-top: 1px solid #ccd; padding-top: 1.2rem; }
-table { border-collapse: collapse; font-size: .86rem; margin: 1rem 0; } caption { text-align: left; color: #556; padding: .3rem 0; }
+table { border-collapse: collapse; font-size: .86rem; margin: 1rem 0; } caption { text-align: left; color: #556; padding: .3rem 0; white-space: nowrap; }
 th, td { text-align: left; padding: .22rem .7rem .22rem 0; border-bottom: 1px solid #e3e5ea; vertical-align: top; }
 th { font-weight: 600; } td.good { color: #1b7a4b; } td.off { color: #b3380c; }
 figure { margin: 1.2rem 0; } figure img { max-width: 100%; height: auto; } figcaption { font-size: .86rem; color: #556; }
