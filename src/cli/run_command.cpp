@@ -16,10 +16,10 @@ int run_command(const RunRequest& request) {
     const fs::path folder = request.folder ? *request.folder : fs::path("out") / run.file.stem();
     check_run_folder(folder, request.force);
     warn_of_large_step(run.time_step);
-    if (!request.quiet) print_plan(run.scenario, run.time_step, run.notes);
+    if (!request.quiet && !request.brief) print_plan(run.scenario, run.time_step, run.notes);
 
     create_run_folder(folder);
-    const RunSession session{folder, request.program, request.quiet};
+    const RunSession session{folder, request.program, request.quiet, request.brief};
     try {
         return run_session(session, run);
     } catch (const InputError& error) {

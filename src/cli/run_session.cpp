@@ -147,7 +147,7 @@ int Session::carry_out() {
     summary.observables = measurements.values();
     summary.notes = run_.notes;
     write_summary(session_.folder / "summary.json", summary);
-    if (!session_.quiet) print_summary(summary, initial_energy(scenario.scene), session_.folder);
+    if (!session_.quiet && !session_.brief) print_summary(summary, initial_energy(scenario.scene), session_.folder);
     if (ending == Ending::completed) return k_exit_done;
     return report_interrupt(fmt::format("at t = {:.6g} of {:.6g} s", summary.simulated_seconds, info.duration));
 }

@@ -13,6 +13,7 @@ struct RunSession {
     std::filesystem::path folder;
     std::string program = "polargrain";  ///< as it was called, for messages that say how to go on
     bool quiet = false;
+    bool brief = false;  ///< show progress, but no summary
 
     std::filesystem::path scenario_file() const { return folder / "scenario.toml"; }
     std::filesystem::path checkpoint_file() const { return folder / "checkpoint.h5"; }

@@ -21,7 +21,7 @@ constexpr const char* k_falls_short = "FALLS SHORT";
 std::string measured_text(const Finding& finding) {
     if (finding.measured.empty()) return "no value";
     std::string text = fmt::format("{:.4g}", finding.mean());
-    if (finding.runs > 1) text += fmt::format(" +- {:.2g}", finding.spread());
+    if (finding.runs > 1) text += fmt::format(" +- {:.3g}", finding.spread());
     if (finding.measured.size() < finding.runs) {
         text += fmt::format(" ({} of {} runs)", finding.measured.size(), finding.runs);
     }

@@ -64,10 +64,10 @@ std::vector<Task> read_tasks(const VerifyRequest& request) {
     return tasks;
 }
 
+std::uint64_t seed_of(const Task& task, int k) { return task.scenario.scene.seed + static_cast<std::uint64_t>(k); }
+
 fs::path folder_of(const RunPlace& place, const VerifyRequest& request, const Task& task, int k) {
-    return place.path() / (request.seeds == 1 ? task.name
-                                              : fmt::format("{}-seed{}", task.name,
-                                                            task.scenario.scene.seed + static_cast<std::uint64_t>(k)));
+    return place.path() / (request.seeds == 1 ? task.name : fmt::format("{}-seed{}", task.name, seed_of(task, k)));
 }
 
 /// Runs the scenario with the k-th seed; the exit code of the run.
@@ -75,14 +75,15 @@ int run_once(const VerifyRequest& request, const Task& task, int k, const RunPla
     RunRequest run;
     run.scenario = task.given;
     run.overrides = request.overrides;
-    run.overrides.seed = task.scenario.scene.seed + static_cast<std::uint64_t>(k);
+    run.overrides.seed = seed_of(task, k);
     if (!place.kept()) {
         run.overrides.no_frames = true;
         run.overrides.set.emplace_back("output.trajectory.every=0");
     }
     run.folder = folder_of(place, request, task, k);
     run.force = request.force;
-    run.quiet = true;
+    run.quiet = request.quiet;
+    run.brief = true;
     run.command_line = request.command_line;
     return run_command(run);
 }
@@ -100,11 +101,16 @@ int verify_command(const VerifyRequest& request) {
     for (const Task& task : tasks) {
         Verification verification = begin_verification(task.name, task.scenario);
         for (int k = 0; k < request.seeds; ++k) {
-            fmt::print("running {} ({} of {}), seed {}\n", task.name, verifications.size() + 1, tasks.size(),
-                       task.scenario.scene.seed + static_cast<std::uint64_t>(k));
+            if (!request.quiet) {
+                fmt::print("{} ({} of {}), seed {}\n", task.name, verifications.size() + 1, tasks.size(),
+                           seed_of(task, k));
+            }
             std::fflush(stdout);
             const int ended = run_once(request, task, k, place);
-            if (ended != k_exit_done) return ended;
+            if (ended != k_exit_done) {
+                if (!place.kept()) fmt::print(stderr, "that folder was a temporary one; -o DIR keeps the runs\n");
+                return ended;
+            }
             add_run(verification, task.scenario, folder_of(place, request, task, k) / "summary.json");
         }
         fmt::print("{}", verification_table(verification));
