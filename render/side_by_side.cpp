@@ -56,8 +56,9 @@ void paint_side_by_side(cairo_t* cr, const Rect& sheet, std::span<const NamedPic
     double scale = 1.0;
     for (int k = 0; k < count; ++k) {
         const NamedPicture& each = pictures[static_cast<std::size_t>(k)];
+        const int row = k / columns;
         const double x = k_side * letter + (k % columns) * (cell_width + k_gap * letter);
-        const double y = k_header * letter + (k / columns) * (cell_height + (k_name + k_gap) * letter);
+        const double y = k_header * letter + row * (cell_height + (k_name + k_gap) * letter);
         choose_font(cr, 0.95 * letter);
         set_colour(cr, k_ink);
         draw_text(cr, x, y + 1.15 * letter, fitted(cr, each.name, cell_width), Align::left);
