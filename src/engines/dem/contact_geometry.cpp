@@ -60,10 +60,13 @@ void ContactGeometry::find(const SoftPiece& piece, const PolarPolygon& grain, co
 
 void ContactGeometry::add_regions(std::span<const OverlapRegion> regions, const Pose& frame, double stiffness,
                                   double radius, std::vector<Touch>& touches) const {
+    double area = 0.0;
+    for (const OverlapRegion& region : regions) area += region.area;
+    if (!(area > 0.0)) return;
+    const AreaEnergy::Value value = energy_.at(area, stiffness, radius);
     for (const OverlapRegion& region : regions) {
-        const AreaEnergy::Value value = energy_.at(region.area, stiffness, radius);
         touches.push_back({frame.to_world(region.point), frame.turned(region.normal), region.depth, false,
-                           value.slope * region.width, value.energy});
+                           value.slope * region.width, value.energy * region.area / area});
     }
 }
 

@@ -27,8 +27,8 @@ public:
         report.clear(scene_.walls.size());
         system_.set_step(world.step);
         read(world);
-        const double energy_before = energy(world.grains, scene_.gravity).total() + stored_energy(system_);
-        const double stored_before = stored_energy(system_);
+        const StoredEnergy stored_before = stored_energy(system_);
+        const double energy_before = energy(world.grains, scene_.gravity).total();
         for (SoftContact& c : system_.contacts()) c.impulse = Vec2::Zero();
 
         const auto parts = static_cast<std::int64_t>(parts_of_step(dt));
@@ -93,17 +93,19 @@ private:
         }
     }
 
-    void finish_report(const World& world, double energy_before, double stored_before, StepReport& report) const {
+    void finish_report(const World& world, double energy_before, const StoredEnergy& stored_before,
+                       StepReport& report) const {
         for (const SoftContact& c : system_.contacts()) {
             report.contacts.push_back({c.a, c.b, c.point, c.normal, -c.depth, c.impulse});
         }
         report.moves.tried = world.grains.size();
         EnergyLedger& ledger = report.ledger;
-        const double stored = stored_energy(system_);
-        ledger.stored = stored - stored_before;
+        const StoredEnergy stored = stored_energy(system_);
+        ledger.stored = stored.total() - stored_before.total();
+        ledger.friction_loss -= stored.sliding - stored_before.sliding;
         // What the scheme itself makes of energy: all that has no other cause.
-        ledger.created = energy(world.grains, scene_.gravity).total() + stored - energy_before - ledger.wall_work +
-                         ledger.restitution_loss + ledger.friction_loss;
+        ledger.created = energy(world.grains, scene_.gravity).total() - energy_before + ledger.stored -
+                         ledger.wall_work + ledger.restitution_loss + ledger.friction_loss;
         ledger.rises = std::max(0.0, ledger.created);
     }
 

@@ -144,8 +144,9 @@ private:
 /// forward (x+ - x) / h or backward (x - x-) / h. Memory: h, x-, then the accelerations at zero velocity at x- and x.
 struct Numerov {
     enum class Damping : std::uint8_t { central, forward, backward };
-    static constexpr int k_most_iterations = 30;
-    static constexpr double k_precise = 1e-13;  ///< of the largest way of the step
+    static constexpr int k_most_iterations = 12;  ///< contacts that open and close by turns never settle
+    static constexpr double k_precise = 1e-11;    ///< of the largest way of the step
+    static constexpr double k_round_off = 1e-15;  ///< of the largest coordinate
 
     std::vector<double> memory;
     Damping damping = Damping::central;
@@ -161,9 +162,11 @@ struct Numerov {
         double* a_now = a_before + n;
         next_.resize(n);
         double way = 0.0;
+        double extent = 0.0;
         for (std::size_t k = 0; k < n; ++k) {
             next_[k] = 2.0 * s.x[k] - before[k] + h * h * s.a[k];
             way = std::fmax(way, std::abs(next_[k] - s.x[k]));
+            extent = std::fmax(extent, std::abs(s.x[k]));
         }
         for (int iteration = 0; iteration < k_most_iterations; ++iteration) {
             add_dashpots(equations, s, h);
@@ -180,7 +183,7 @@ struct Numerov {
                 next_[k] += change_[k];
                 largest = std::fmax(largest, std::abs(change_[k]));
             }
-            if (!(largest > k_precise * way)) break;
+            if (!(largest > std::fmax(k_precise * way, k_round_off * extent))) break;
         }
         finish(equations, s, h);
     }

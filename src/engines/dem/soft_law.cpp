@@ -207,7 +207,6 @@ void respond(const PairSoftLaw& pair, const Touch& touch, double mass, double cl
         case TangentialLaw::spring:
             tangential = spring_slider(c.stretch + way, pair.tangential_stiffness,
                                        pair.law.tangential_damping * damping, sliding, limit);
-            c.stored_sliding = 0.5 * pair.tangential_stiffness * tangential.stretch * tangential.stretch;
             break;
         case TangentialLaw::slider:
             tangential = viscous_slider(pair.law.tangential_damping * damping, sliding, limit);
@@ -216,15 +215,14 @@ void respond(const PairSoftLaw& pair, const Touch& touch, double mass, double cl
             const IncrementalMemory memory = walton_braun_tangential({c.stretch, c.turning, c.pressed}, way,
                                                                      pair.tangential_stiffness, push, pair.friction);
             c.turning = memory.turning;
-            c.pressed = memory.normal;
-            tangential = {-memory.force, 0.0, memory.force, 0.0};
+            tangential = {-memory.force, memory.force, 0.0};
             break;
         }
     }
+    c.pressed = push;
     c.sliding_force = tangential.force;
     c.stretch = tangential.stretch;
-    c.slipped = tangential.slipped;
-    c.elastic_sliding = tangential.elastic;
+    c.stored_sliding = tangential.energy;
 }
 
 }  // namespace polargrain

@@ -20,8 +20,7 @@ void account_rates(SoftSystem& system, std::span<const double> x, std::span<cons
         }
         const Vec2 relative = velocity(c.b, c.point) - of_a;
         report.ledger.restitution_loss -= weight * (c.normal_force - c.elastic_normal) * relative.dot(c.normal);
-        report.ledger.friction_loss -=
-            weight * (c.sliding_force - c.elastic_sliding) * relative.dot(left_normal(c.normal));
+        report.ledger.friction_loss -= weight * c.sliding_force * relative.dot(left_normal(c.normal));
         const Vec2 impulse = weight * c.force();
         c.impulse += impulse;
         if (!is_wall(c.a)) continue;
@@ -35,18 +34,19 @@ void account_rates(SoftSystem& system, std::span<const double> x, std::span<cons
 void account_losses(const SoftSystem& system, StepReport& report) {
     for (const SoftContact& c : system.contacts()) {
         report.ledger.restitution_loss += c.hysteresis;
-        report.ledger.friction_loss += c.slipped;
         report.deepest = std::max(report.deepest, c.depth);
     }
     const SoftSystem::Turnover& turnover = system.turnover();
-    report.ledger.restitution_loss += turnover.dropped_normal;
-    report.ledger.friction_loss += turnover.dropped_sliding;
+    report.ledger.restitution_loss += turnover.dropped;
     report.impacts += turnover.born;
 }
 
-double stored_energy(const SoftSystem& system) {
-    double sum = 0.0;
-    for (const SoftContact& c : system.contacts()) sum += c.stored_normal + c.stored_sliding;
+StoredEnergy stored_energy(const SoftSystem& system) {
+    StoredEnergy sum;
+    for (const SoftContact& c : system.contacts()) {
+        sum.normal += c.stored_normal;
+        sum.sliding += c.stored_sliding;
+    }
     return sum;
 }
 

@@ -4,14 +4,13 @@ namespace polargrain {
 
 namespace {
 
-constexpr std::size_t k_reals = 21;
+constexpr std::size_t k_reals = 19;
 
 void append(const SoftContact& c, std::vector<double>& reals) {
-    reals.insert(reals.end(), {c.point.x(),      c.point.y(),      c.normal.x(),    c.normal.y(),      c.depth,
-                               c.normal_force,   c.elastic_normal, c.sliding_force, c.elastic_sliding, c.stored_normal,
-                               c.stored_sliding, c.slipped,        c.hysteresis,    c.damping,         c.stretch,
-                               c.turning,        c.pressed,        c.largest,       c.spent,           c.impulse.x(),
-                               c.impulse.y()});
+    reals.insert(reals.end(),
+                 {c.point.x(), c.point.y(), c.normal.x(), c.normal.y(), c.depth, c.normal_force, c.elastic_normal,
+                  c.sliding_force, c.stored_normal, c.stored_sliding, c.hysteresis, c.damping, c.stretch, c.turning,
+                  c.pressed, c.largest, c.spent, c.impulse.x(), c.impulse.y()});
 }
 
 SoftContact contact_from(std::int64_t a, std::int64_t b, const double* r) {
@@ -20,10 +19,9 @@ SoftContact contact_from(std::int64_t a, std::int64_t b, const double* r) {
     c.b = static_cast<BodyIndex>(b);
     c.point = {r[0], r[1]};
     c.normal = {r[2], r[3]};
-    double* const values[] = {&c.depth,           &c.normal_force,  &c.elastic_normal, &c.sliding_force,
-                              &c.elastic_sliding, &c.stored_normal, &c.stored_sliding, &c.slipped,
-                              &c.hysteresis,      &c.damping,       &c.stretch,        &c.turning,
-                              &c.pressed,         &c.largest,       &c.spent};
+    double* const values[] = {&c.depth,          &c.normal_force, &c.elastic_normal, &c.sliding_force, &c.stored_normal,
+                              &c.stored_sliding, &c.hysteresis,   &c.damping,        &c.stretch,       &c.turning,
+                              &c.pressed,        &c.largest,      &c.spent};
     std::size_t k = 4;
     for (double* value : values) *value = r[k++];
     c.impulse = {r[k], r[k + 1]};

@@ -209,9 +209,8 @@ void SoftSystem::drop_before(BodyIndex a, BodyIndex b) {
 void SoftSystem::drop(std::size_t old) {
     if (recalled_[old] != 0) return;
     const SoftContact& contact = contacts_[old];
-    next_turnover_.dropped_sliding += contact.stored_sliding;
     if (is_wall(contact.a) && !scene_.walls[static_cast<std::size_t>(wall_index(contact.a))].present(time_)) {
-        next_turnover_.dropped_normal += contact.stored_normal;
+        next_turnover_.dropped += contact.stored_normal;
     }
 }
 

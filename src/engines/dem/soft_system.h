@@ -42,8 +42,7 @@ public:
     /// What the last accepted evaluation ended and began.
     struct Turnover {
         std::int64_t born = 0;
-        double dropped_normal = 0.0;   ///< energy left in the springs of contacts that a removed wall ended [J/m]
-        double dropped_sliding = 0.0;  ///< energy left in tangential springs of contacts that ended [J/m]
+        double dropped = 0.0;  ///< energy left in the springs of contacts that a removed wall ended [J/m]
     };
     const Turnover& turnover() const { return turnover_; }
 

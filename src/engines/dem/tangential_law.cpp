@@ -7,20 +7,15 @@
 
 namespace polargrain {
 
+// The slider holds the spring within the limit, then what spring and dashpot do together. Moving the spring to where
+// the sum of both is at the limit, as in [K02, eq. 10], would stretch it with energy from nowhere.
 Tangential spring_slider(double stretch, double k, double damping, double sliding, double limit) {
-    const double spring = -k * stretch;
-    const double trial = spring - damping * sliding;
-    if (std::abs(trial) <= limit) return {trial, spring, stretch, 0.0};
-    const double force = std::copysign(limit, trial);
-    if (!(k > 0.0)) return {force, 0.0, 0.0, 0.0};
-    // While it slips the dashpot is out of it: left in, as in [K02, eq. 10], it would stretch the spring beyond the
-    // limit and pay for its own loss with energy from nowhere.
-    const double left = -force / k;
-    return {force, force, left, limit * std::abs(stretch - left)};
+    const double held = k > 0.0 ? std::clamp(stretch, -limit / k, limit / k) : 0.0;
+    return {std::clamp(-k * held - damping * sliding, -limit, limit), held, 0.5 * k * held * held};
 }
 
 Tangential viscous_slider(double damping, double sliding, double limit) {
-    return {std::clamp(-damping * sliding, -limit, limit), 0.0, 0.0, 0.0};
+    return {std::clamp(-damping * sliding, -limit, limit), 0.0, 0.0};
 }
 
 IncrementalMemory walton_braun_tangential(const IncrementalMemory& before, double way, double k0, double normal,

@@ -6,9 +6,8 @@ namespace polargrain {
 /// tangent; the force acts on the body whose sliding is given.
 struct Tangential {
     double force = 0.0;    ///< [N/m] per metre of depth, within friction x normal force
-    double elastic = 0.0;  ///< the part of it that a spring stores energy with [N/m]
     double stretch = 0.0;  ///< of the spring [m]
-    double slipped = 0.0;  ///< energy spent by slipping since the last evaluation [J/m]
+    double energy = 0.0;   ///< in the spring [J/m]
 };
 
 /// Spring and dashpot in series with Coulomb's slider [CS79; K02, sec. 2.2].
