@@ -104,8 +104,7 @@ TEST_F(Reports, StandAloneAndKeepFiguresDrawnEarlier) {
     for (const char* outside : {"src=\"http", "<script", "<link", "@import", "url("}) {
         EXPECT_THAT(page, Not(HasSubstr(outside)));
     }
-    EXPECT_THAT(read("verdicts.csv"),
-                HasSubstr("fig7,contact,speed,9,1,2,m/s,differs by +350 %,theory,friction\n"));
+    EXPECT_THAT(read("verdicts.csv"), HasSubstr("fig7,contact,speed,9,1,2,m/s,differs by +350 %,theory,friction\n"));
 }
 
 class Recorded : public Folder {};
