@@ -98,7 +98,7 @@ std::string to_string(const Spread& spread) {
     if (!(spread.deviation > 0.0)) return fmt::format("{:.4g}", spread.mean);
     // Down to the second digit of the spread.
     const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread.deviation))));
-    if (decimals > k_most_decimals) return fmt::format("{:.2g} +- {:.2g}", spread.mean, spread.deviation);
+    if (decimals > k_most_decimals) return fmt::format("{:.6g} +- {:.2g}", spread.mean, spread.deviation);
     return fmt::format("{:.{}f} +- {:.{}f}", spread.mean, decimals, spread.deviation, decimals);
 }
 

@@ -152,6 +152,30 @@ TEST(Box2dWalls, EndInCornersThatHoldAGrain) {
     EXPECT_LT(through.world.grains.y[0], -0.5);
 }
 
+TEST(Box2dFallen, GrainsGoOnFallingFasterThanBox2dAllowsAndCheckpointsKnow) {
+    Scene scene = testing::empty_scene(0.0, 0.5);
+    testing::add_wall(scene, "sill", {{-0.5, 0.0}, {-0.04, 0.0}});
+    scene.add(Grain{testing::add_star(scene, 0.01, 0.006, 5), 0, {0.0, 0.06}, 0.0, {0.0, 0.0}, 2.0});
+    const double dt = 1e-3;
+    Running whole(make_box2d, scene);
+    double fastest_way = 0.0;
+    whole.run(1.0, dt);
+    Checkpoint checkpoint;
+    whole.engine->save(checkpoint);
+    Running resumed(make_box2d, scene);
+    resumed.world = whole.world;
+    resumed.engine->load(checkpoint);
+    whole.run(1.5, dt, [&] {
+        fastest_way = std::max(fastest_way, -whole.world.grains.vy[0] * dt / box2d_unit(scene, {}));
+        resumed.step(dt);
+    });
+    EXPECT_EQ(state_hash(whole.world), state_hash(resumed.world));
+    EXPECT_GT(fastest_way, 2.0);
+    EXPECT_NEAR(whole.world.grains.vy[0], -9.81 * 1.5, 1e-3);
+    EXPECT_NEAR(whole.world.grains.y[0], 0.06 - 0.5 * 9.81 * 1.5 * (1.5 + dt), 1e-2);
+    EXPECT_NEAR(whole.world.grains.angle[0], 3.0, 1e-3);
+}
+
 TEST(Box2dPour, OfEveryShapeComesToRestInsideTheBox) {
     for (const PourShape shape : {PourShape::rough, PourShape::star, PourShape::stick, PourShape::mixed}) {
         Running sim(make_box2d, testing::pour(shape, 60, 3, 0.3, 0.4, 10));

@@ -11,6 +11,9 @@ namespace polargrain {
 
 namespace {
 
+/// Way in a step [units] beyond which a grain that has left the scene is no longer Box2D's, before it is cut off.
+constexpr double k_fast = 1.5;
+
 float narrow(double value) { return static_cast<float>(value); }
 
 /// Where a wall's own frame is, in which its points stand still.
@@ -90,6 +93,7 @@ BoxWorld::BoxWorld(const Scene& scene, const BoxSetup& setup, const Grains& grai
       world_(to_units(scene.gravity)),
       first_piece_(number_pieces(scene.walls)),
       fixtures_(first_piece_.back()),
+      lowest_(largest_drop(scene).lowest),
       first_guesses_(std::move(warm_starts)) {
     const double gain = dt * std::sqrt(scene.gravity.squaredNorm());
     threshold_ = narrow(setup.settings.restitution_threshold.value_or(2.0 * gain) / setup.unit);
@@ -105,6 +109,7 @@ BoxWorld::BoxWorld(const Scene& scene, const BoxSetup& setup, const Grains& grai
     for (GrainIndex k = 0; k < grains.size(); ++k) add_grain(grains, k);
     walls_before_.resize(walls_.size());
     bodies_before_.resize(bodies_.size());
+    let_go_of_fallen(dt);
 }
 
 b2Fixture* BoxWorld::add_fixture(b2Body* body, const b2Shape& shape, std::uintptr_t number) {
@@ -195,6 +200,36 @@ void BoxWorld::step(double time, double dt) {
     impulses_.clear();
     world_.Step(narrow(dt), setup_.settings.velocity_iterations, setup_.settings.position_iterations);
     first_guesses_.clear();
+    fly_fallen(dt);
+    let_go_of_fallen(dt);
+}
+
+bool BoxWorld::has_fallen(GrainIndex k, double dt) const {
+    const b2Body& body = *bodies_[Grains::at(k)];
+    const Vec2 velocity = to_metres(body.GetLinearVelocity());
+    if (std::sqrt(velocity.squaredNorm()) * dt < k_fast * setup_.unit || velocity.dot(scene_.gravity) <= 0.0)
+        return false;
+    const Vec2 up = -unit(scene_.gravity);
+    return up.dot(to_metres(body.GetPosition())) + outer_radius(scene_.shape_of(k)) < lowest_;
+}
+
+void BoxWorld::let_go_of_fallen(double dt) {
+    if (scene_.gravity == Vec2::Zero()) return;
+    for (GrainIndex k = 0; k < static_cast<GrainIndex>(bodies_.size()); ++k) {
+        b2Body* body = bodies_[Grains::at(k)];
+        if (body->IsEnabled() && has_fallen(k, dt)) body->SetEnabled(false);
+    }
+}
+
+/// By Box2D's own rule: the new velocity moves.
+void BoxWorld::fly_fallen(double dt) {
+    const float h = narrow(dt);
+    for (b2Body* body : bodies_) {
+        if (body->IsEnabled()) continue;
+        const b2Vec2 velocity = body->GetLinearVelocity() + h * world_.GetGravity();
+        body->SetLinearVelocity(velocity);
+        body->SetTransform(body->GetPosition() + h * velocity, body->GetAngle() + h * body->GetAngularVelocity());
+    }
 }
 
 void BoxWorld::place_walls(double time, double dt) {
@@ -263,6 +298,7 @@ GrainIndex BoxWorld::cut_off(double dt) const {
     constexpr float k_nearly = 0.999F;
     const float h = narrow(dt);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        if (!bodies_[k]->IsEnabled()) continue;
         const bool too_fast = h * bodies_[k]->GetLinearVelocity().Length() > k_nearly * b2_maxTranslation;
         const bool spins_too_fast = h * std::abs(bodies_[k]->GetAngularVelocity()) > k_nearly * b2_maxRotation;
         if (too_fast || spins_too_fast) return static_cast<GrainIndex>(k);

@@ -81,6 +81,11 @@ private:
     b2Fixture* add_fixture(b2Body* body, const b2Shape& shape, std::uintptr_t number);
     void place_walls(double time, double dt);
     void remember_poses();
+    /// Below everything, falling, and soon too fast for Box2D.
+    bool has_fallen(GrainIndex k, double dt) const;
+    /// Takes such grains out of Box2D's hands: nothing is left that they could hit.
+    void let_go_of_fallen(double dt);
+    void fly_fallen(double dt);
     const b2Transform& pose_before(BodyIndex body) const;
 
     b2Vec2 to_units(const Vec2& v) const {
@@ -98,6 +103,7 @@ private:
     std::vector<b2Body*> bodies_;              ///< of grains
     std::vector<std::uintptr_t> first_piece_;  ///< number of a wall's first fixture
     std::uintptr_t fixtures_ = 0;              ///< number of the next grain's
+    double lowest_ = 0.0;                      ///< height of the lowest wall point or grain at time zero [m]
     std::vector<b2Transform> walls_before_, bodies_before_;
     std::vector<WarmStart> first_guesses_;  ///< empty after the first step
     std::vector<PointImpulse> impulses_;
