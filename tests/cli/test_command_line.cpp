@@ -22,6 +22,9 @@ Outcome run(const std::vector<std::string>& arguments) {
 TEST(CommandLine, HelpOfEveryCommandHasExamples) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                       {"run", "--help"},
+                                                      {"resume", "--help"},
+                                                      {"render", "--help"},
+                                                      {"sweep", "--help"},
                                                       {"check", "--help"},
                                                       {"shape", "--help"},
                                                       {"list", "--help"},

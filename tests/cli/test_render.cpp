@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cli/program_runner.h"
+#include "tests/cli/small_scenarios.h"
+
+namespace polargrain {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Render : public testing::Test {
+protected:
+    Render() {
+        std::string text =
+            replaced(k_three_disks, "frames = { every = 0.0 }", "frames = { every = 0.01, width = 320 }");
+        // A wall that moves: its reach belongs to the view.
+        text = replaced(text, "points = [[-1.0, 0.0], [1.0, 0.0]]\n",
+                        "points = [[-0.1, 0.0], [0.2, 0.0]]\n"
+                        "motion = { type = \"sine\", direction = [0, 1], amplitude = 5e-3, frequency = 20.0 }\n");
+        scratch_.write("three.toml", text);
+        EXPECT_EQ(polargrain({"run", "three.toml", "-o", "run"}).exit_code, 0);
+    }
+    Outcome polargrain(const std::vector<std::string>& arguments) const {
+        return run_polargrain(arguments, scratch_.path());
+    }
+    std::ptrdiff_t files_in(const std::string& folder) const {
+        return std::distance(fs::directory_iterator(scratch_ / folder), {});
+    }
+    ScratchFolder scratch_;
+};
+
+TEST_F(Render, DrawsTheSamePicturesAsTheRunDid) {
+    const Outcome outcome = polargrain({"render", "run", "-o", "again"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("6 frames: again"));
+    for (const auto& entry : fs::directory_iterator(scratch_ / "run" / "frames")) {
+        const std::string file = entry.path().filename();
+        EXPECT_TRUE(read_file(scratch_ / "again" / file) == read_file(entry.path())) << file;
+    }
+}
+
+TEST_F(Render, ShowsEveryQuantity) {
+    std::vector<std::string> pictures;
+    for (const char* colour :
+         {"speed", "spin", "angle", "kinetic_energy", "size", "id", "shape", "material", "contacts", "force", "none"}) {
+        const Outcome outcome = polargrain(
+            {"render", "run", "--colour", std::string("by=") + colour, "--from", "0.03", "--to", "0.03", "--quiet"});
+        EXPECT_EQ(outcome.exit_code, 0) << colour << ": " << outcome.err;
+        pictures.push_back(read_file(scratch_ / "run" / (std::string("frames-") + colour) / "000000.png"));
+        EXPECT_FALSE(pictures.back().empty()) << colour;
+    }
+    std::sort(pictures.begin(), pictures.end());
+    EXPECT_EQ(std::unique(pictures.begin(), pictures.end()), pictures.end()) << "each in its own way";
+    const Outcome wrong = polargrain({"render", "run", "--colour", "by=sped"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("the nearest is \"speed\""));
+}
+
+TEST_F(Render, TakesTheFramesThatAreAskedFor) {
+    ASSERT_EQ(polargrain({"render", "run", "-o", "some", "--every", "2", "--from", "0.01"}).exit_code, 0);
+    EXPECT_EQ(files_in("some"), 4) << "0.01, 0.03, 0.05 s and the index";
+    const Outcome none = polargrain({"render", "run", "-o", "none", "--from", "7"});
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_THAT(none.err, HasSubstr("from 0 s to 0.05 s"));
+    EXPECT_FALSE(fs::exists(scratch_ / "none"));
+}
+
+TEST_F(Render, WritesVectorsAndMovies) {
+    ASSERT_EQ(polargrain({"render", "run", "-o", "v", "--format", "svg", "--every", "5"}).exit_code, 0);
+    EXPECT_THAT(read_file(scratch_ / "v" / "000000.svg"), HasSubstr("<svg"));
+    for (const char* name : {"one.mp4", "two.mp4"}) {
+        const Outcome movie = polargrain({"render", "run", "-o", name, "--size", "320x200"});
+        ASSERT_EQ(movie.exit_code, 0) << movie.err;
+    }
+    const std::string movie = read_file(scratch_ / "one.mp4");
+    EXPECT_THAT(movie.substr(0, 12), HasSubstr("ftyp"));
+    EXPECT_TRUE(movie == read_file(scratch_ / "two.mp4")) << "equal frames, equal bytes";
+    EXPECT_FALSE(fs::exists(scratch_ / "one.mp4.part"));
+    EXPECT_FALSE(fs::exists(scratch_ / "one.mp4.log"));
+}
+
+TEST_F(Render, RefusesToOverwriteAndWrongSizes) {
+    ASSERT_EQ(polargrain({"render", "run", "-o", "v"}).exit_code, 0);
+    EXPECT_EQ(polargrain({"render", "run", "-o", "v"}).exit_code, 2);
+    scratch_.write("v/mine.txt", "mine");
+    EXPECT_EQ(polargrain({"render", "run", "-o", "v", "--force", "--every", "5"}).exit_code, 0);
+    EXPECT_EQ(files_in("v"), 4) << "two frames, the index, and what is not ours";
+    for (const char* size : {"12", "320x", "x200", "320x200x3", "1x1", "320 x 200"}) {
+        const Outcome wrong = polargrain({"render", "run", "-o", "w", "--size", size});
+        EXPECT_EQ(wrong.exit_code, 2) << size;
+        EXPECT_THAT(wrong.err, HasSubstr("1280x720"));
+    }
+    EXPECT_EQ(polargrain({"render", "nowhere"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace polargrain

@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/cli/program_runner.h"
+#include "tests/cli/small_scenarios.h"
+
+namespace polargrain {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string k_sweep = R"(scenario = "three.toml"
+seeds = [3, 4]
+
+[set]
+run.duration = 0.02
+
+[vary]
+materials.stone.friction = [0.1, 0.4]
+"rows[0].first.velocity" = [[1.0, 0.0], [0.5, 0.0]]
+)";
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+class Sweep : public testing::Test {
+protected:
+    Sweep() {
+        scratch_.write("three.toml", k_three_disks);
+        scratch_.write("sweep.toml", k_sweep);
+    }
+    Outcome polargrain(const std::vector<std::string>& arguments) const {
+        return run_polargrain(arguments, scratch_.path());
+    }
+    std::string refusal_of(const std::string& text) const {
+        scratch_.write("wrong.toml", text);
+        const Outcome outcome = polargrain({"sweep", "wrong.toml", "-o", "wrong"});
+        EXPECT_EQ(outcome.exit_code, 2) << text;
+        EXPECT_FALSE(fs::exists(scratch_ / "wrong")) << "nothing is written";
+        return outcome.err;
+    }
+    ScratchFolder scratch_;
+};
+
+TEST_F(Sweep, RunsEachValueWithEachOtherAndTabulatesThem) {
+    const Outcome outcome = polargrain({"sweep", "sweep.toml", "-o", "swept", "--jobs", "2"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("8 runs, 0 failed"));
+    const std::vector<std::string> rows = lines_of(read_file(scratch_ / "swept" / "table.csv"));
+    ASSERT_EQ(rows.size(), 9U);
+    EXPECT_THAT(rows[0], HasSubstr("run,materials.stone.friction,rows[0].first.velocity,engine,seed,status,steps,"));
+    EXPECT_THAT(rows[0], HasSubstr(",kinetic_energy_per_grain"));
+    EXPECT_THAT(rows[1], testing::StartsWith("0000,0.1,\"[1.0, 0.0]\",contact,3,done,200,0.02,"));
+    EXPECT_THAT(rows[8], testing::StartsWith("0007,0.4,\"[0.5, 0.0]\",contact,4,done,200,0.02,"));
+
+    ASSERT_EQ(polargrain({"run", "three.toml", "-o", "alone", "--seed", "4", "--set", "run.duration=0.02", "--set",
+                          "materials.stone.friction=0.4", "--set", "rows[0].first.velocity=[0.5,0.0]"})
+                  .exit_code,
+              0);
+    const auto summary = nlohmann::json::parse(read_file(scratch_ / "alone" / "summary.json"));
+    EXPECT_THAT(rows[8], HasSubstr(summary.at("state_hash").get<std::string>())) << "as that run alone gives it";
+}
+
+TEST_F(Sweep, GoesOnAfterAKill) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "whole"}).exit_code, 0);
+    for (const int signal : {SIGKILL, SIGINT}) {
+        RunningProgram program({"sweep", "sweep.toml", "-o", "cut", "--force"}, scratch_.path());
+        const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (!fs::exists(scratch_ / "cut" / "runs" / "0002") && std::chrono::steady_clock::now() < give_up) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        program.send(signal);
+        EXPECT_EQ(program.wait().exit_code, signal == SIGKILL ? -SIGKILL : 130);
+        EXPECT_FALSE(fs::exists(scratch_ / "cut" / "table.csv"));
+        const Outcome resumed = polargrain({"sweep", "sweep.toml", "-o", "cut"});
+        ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+        EXPECT_EQ(read_file(scratch_ / "cut" / "table.csv"), read_file(scratch_ / "whole" / "table.csv"));
+        fs::remove_all(scratch_ / "cut");
+    }
+}
+
+TEST_F(Sweep, LeavesCompleteRunsAlone) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    const auto written = fs::last_write_time(scratch_ / "swept" / "runs" / "0003" / "summary.json");
+    const Outcome again = polargrain({"sweep", "sweep.toml", "-o", "swept"});
+    ASSERT_EQ(again.exit_code, 0);
+    EXPECT_THAT(again.out, HasSubstr("8 of them done already"));
+    EXPECT_EQ(fs::last_write_time(scratch_ / "swept" / "runs" / "0003" / "summary.json"), written);
+}
+
+TEST_F(Sweep, RefusesTheFolderOfAnother) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    scratch_.write("sweep.toml", replaced(k_sweep, "0.4", "0.5"));
+    const Outcome refused = polargrain({"sweep", "sweep.toml", "-o", "swept"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--force"));
+    EXPECT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept", "--force"}).exit_code, 0);
+    EXPECT_THAT(read_file(scratch_ / "swept" / "table.csv"), HasSubstr("0007,0.5,"));
+}
+
+TEST_F(Sweep, SaysWhatIsWrongInItsFile) {
+    EXPECT_THAT(refusal_of("seeds = 2\n"), HasSubstr("scenario: is missing"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nsedes = 2\n"),
+                HasSubstr("wrong.toml:2:1: sedes: unknown key; the "
+                          "nearest is seeds"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nseeds = -2\n"), HasSubstr("wrong.toml:2:9: seeds"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[vary]\nrun.seed = [1]\n"), HasSubstr("by the key seeds"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[vary]\nrun.duration = 1\n"), HasSubstr("put it in [ ]"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[vary]\nrun.duratoin = [1]\n"), HasSubstr("duration"));
+    EXPECT_THAT(refusal_of("scenario = \"four.toml\"\n"), HasSubstr("wrong.toml:1:12: scenario: four.toml"));
+    EXPECT_THAT(refusal_of("scenario = \n"), HasSubstr("not valid TOML"));
+    EXPECT_EQ(polargrain({"sweep", "none.toml"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace polargrain
