@@ -22,7 +22,7 @@ std::span<const EngineEntry> engine_table() {
             [](const Scene& scene, const EngineSettings& settings) { return make_box2d(scene, settings.box2d); }, 3e-6},
         EngineEntry{"dem", "soft spheres on real shapes: overlapping, springy contacts in many small steps",
                     [](const Scene& scene, const EngineSettings& settings) { return make_dem(scene, settings.dem); },
-                    1e-6},
+                    4e-7},
     };
     return table;
 }
