@@ -33,10 +33,11 @@ enum Side : char { left_side = 1, right_side = 2 };
 /// Marks the grains that can be part of a bridge.
 GrainMask still_grains(const Scene& scene, const Grains& grains, const Frame& frame) {
     const double limit = k_still * k_still * std::sqrt(scene.gravity.squaredNorm()) * frame.width;
+    const double reach = frame.width + 2.0 * mean_outer_radius(scene);
     GrainMask still(grains.x.size(), 0);
     for (GrainIndex k = 0; k < grains.size(); ++k) {
         const Vec2 from_middle = grains.position(k) - frame.middle;
-        const bool near = from_middle.squaredNorm() < frame.width * frame.width && from_middle.dot(frame.up) > 0.0;
+        const bool near = from_middle.squaredNorm() < reach * reach && from_middle.dot(frame.up) > 0.0;
         if (near && grains.velocity(k).squaredNorm() < limit) still[Grains::at(k)] = 1;
     }
     return still;

@@ -13,11 +13,11 @@ namespace polargrain {
 
 /// The grains of the shortest bridge over an opening, from one abutment to the other; empty where nothing bridges it.
 ///
-/// Only grains above the opening (against gravity) and nearer to its middle than its width W count, and only while they
-/// stand still: slower than 0.05 sqrt(g W). A bridge is a chain of such grains in contact that leads from one side to
-/// the other; it ends at a grain that touches a wall on its own side of the middle, or whose centre lies beyond its end
-/// of the opening and rests on grains that are no part of the flow. After the arches of [T01], which block an outlet.
-/// InputError without gravity.
+/// Only grains above the opening (against gravity) and nearer to its middle than its width W and a mean outer diameter
+/// count, and only while they stand still: slower than 0.05 sqrt(g W). A bridge is a chain of such grains in contact
+/// that leads from one side to the other; it ends at a grain that touches a wall on its own side of the middle, or
+/// whose centre lies beyond its end of the opening and rests on grains that are no part of the flow. After the arches
+/// of [T01], which block an outlet. InputError without gravity.
 std::vector<GrainIndex> find_bridge(const Scene& scene, const Grains& grains, std::span<const Contact> contacts,
                                     const Opening& opening);
 
