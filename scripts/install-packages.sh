@@ -10,8 +10,8 @@ packages=(
     libgtest-dev libgmock-dev libbenchmark-dev
     fonts-dejavu-core gnuplot-nox clang-format clang-tidy valgrind
 )
-# Saves time where it is there; its absence stops nothing.
-optional=(ccache)
+# Save time (ccache) or make movies (ffmpeg) where they are there; their absence stops nothing.
+optional=(ccache ffmpeg)
 
 installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed$'; }
 
