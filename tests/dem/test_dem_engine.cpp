@@ -35,6 +35,22 @@ TEST(PairSearchOfTheEngine, ChangesNoBit) {
     }
 }
 
+TEST(Threads, ChangeNoBit) {
+    for (const auto shape : {testing::PourShape::disk, testing::PourShape::rough}) {
+        // Touching rows, so that there are contacts from the start and enough of them for several threads.
+        Scene scene = testing::pour(shape, 400, 4, 0.4, 0.4, 20);
+        for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+            scene.grains.set_position(k, 0.85 * scene.grains.position(k));
+        }
+        scene.threads = 1;
+        const std::string one = hash_after(scene, {}, 4);
+        for (const int threads : {2, 5}) {
+            scene.threads = threads;
+            EXPECT_EQ(hash_after(scene, {}, 4), one) << threads << " threads";
+        }
+    }
+}
+
 /// Energy that the scheme has made while a few grains fall into a box, over the kinetic energy at hand.
 double energy_made(double resolution, testing::PourShape shape) {
     Scene scene = testing::pour(shape, 12, 7, 0.9, 0.3, 4);

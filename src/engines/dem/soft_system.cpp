@@ -9,6 +9,9 @@ namespace polargrain {
 
 namespace {
 
+/// Below that many candidates a thread costs more than it brings.
+constexpr std::size_t k_pairs_worth_a_thread = 300;
+
 Vec2 place(std::span<const double> x, BodyIndex grain) {
     const std::size_t k = 3 * Grains::at(grain);
     return {x[k], x[k + 1]};
@@ -25,7 +28,9 @@ bool before(const SoftContact& c, BodyIndex a, BodyIndex b) { return c.a != a ? 
 }  // namespace
 
 SoftSystem::SoftSystem(const Scene& scene, const DemSettings& settings)
-    : scene_(scene), laws_(scene, settings), walls_(scene), candidates_(scene, settings), geometry_(settings) {
+    : scene_(scene), laws_(scene, settings), walls_(scene), candidates_(scene, settings) {
+    shares_.assign(static_cast<std::size_t>(std::max(1, scene.threads)),
+                   Share{ContactGeometry(settings), {}, {}, 0, 0});
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         const Shape& shape = scene.shape_of(k);
         const bool disk = std::holds_alternative<Disk>(shape);
@@ -42,14 +47,38 @@ void SoftSystem::accelerations(double time, std::span<const double> x, std::span
     walls_.place(time);
     candidates_.update(x, walls_);
     place_polygons(x);
-    next_.clear();
-    recalled_.assign(contacts_.size(), 0);
-    cursor_ = 0;
-    next_turnover_ = {};
-    meet_walls(x, v);
-    meet_grains(x, v);
-    for (; cursor_ < contacts_.size(); ++cursor_) drop(cursor_);
+    find_contacts(x, v);
     sum_forces(x, a);
+}
+
+// Each thread takes a run of the sorted pairs, the first the walls besides; one after the other their finds are sorted.
+void SoftSystem::find_contacts(std::span<const double> x, std::span<const double> v) {
+    recalled_.assign(contacts_.size(), 0);
+    const std::span<const GrainPair> pairs = candidates_.pairs();
+    const std::size_t used = std::min(shares_.size(), 1 + pairs.size() / k_pairs_worth_a_thread);
+    const auto count = static_cast<int>(used);
+#pragma omp parallel for num_threads(count) schedule(static, 1) if (count > 1)
+    for (int t = 0; t < count; ++t) {
+        const auto number = static_cast<std::size_t>(t);
+        Share& share = shares_[number];
+        share.found.clear();
+        share.cursor = 0;
+        share.born = 0;
+        const std::size_t first = pairs.size() * number / used;
+        const std::size_t last = pairs.size() * (number + 1) / used;
+        if (t == 0) meet_walls(share, x, v);
+        meet_grains(share, pairs.subspan(first, last - first), x, v);
+    }
+    next_.swap(shares_[0].found);
+    next_turnover_ = {};
+    next_turnover_.born = shares_[0].born;
+    for (std::size_t t = 1; t < used; ++t) {
+        next_.insert(next_.end(), shares_[t].found.begin(), shares_[t].found.end());
+        next_turnover_.born += shares_[t].born;
+    }
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        if (recalled_[k] == 0) drop(contacts_[k]);
+    }
 }
 
 void SoftSystem::accept(double time, std::span<const double> x) {
@@ -75,7 +104,7 @@ void SoftSystem::place_polygons(std::span<const double> x) {
     }
 }
 
-void SoftSystem::meet_walls(std::span<const double> x, std::span<const double> v) {
+void SoftSystem::meet_walls(Share& share, std::span<const double> x, std::span<const double> v) {
     const std::vector<SoftPiece>& pieces = walls_.pieces();
     for (const auto& [p, grain] : candidates_.at_walls()) {
         const auto piece = static_cast<std::size_t>(p);
@@ -83,25 +112,26 @@ void SoftSystem::meet_walls(std::span<const double> x, std::span<const double> v
         const BodyIndex wall = wall_body(pieces[piece].wall);
         const Body& body = bodies_[Grains::at(grain)];
         const Vec2 centre = place(x, grain);
-        touches_.clear();
+        share.touches.clear();
         if (body.disk) {
             const ChainTouch touch = touch_chain(pieces, piece, centre);
             const Vec2 way = centre - touch.nearest;
             const double squared = way.squaredNorm();
             if (!touch.touches || squared >= body.radius * body.radius || !(squared > 0.0)) continue;
             const double distance = std::sqrt(squared);
-            touches_.push_back({touch.nearest, way / distance, body.radius - distance, true, 0.0, 0.0});
+            share.touches.push_back({touch.nearest, way / distance, body.radius - distance, true, 0.0, 0.0});
         } else {
             const auto& polygon = std::get<PolarPolygon>(scene_.shape_of(grain));
-            geometry_.find(pieces[piece], polygon, poses_[Grains::at(grain)], law_of(wall, grain).linear_stiffness,
-                           touches_);
+            share.geometry.find(pieces[piece], polygon, poses_[Grains::at(grain)], law_of(wall, grain).linear_stiffness,
+                                share.touches);
         }
-        for (const Touch& touch : touches_) add_contact(wall, grain, touch, x, v);
+        for (const Touch& touch : share.touches) add_contact(share, wall, grain, touch, x, v);
     }
 }
 
-void SoftSystem::meet_grains(std::span<const double> x, std::span<const double> v) {
-    for (const auto& [a, b] : candidates_.pairs()) {
+void SoftSystem::meet_grains(Share& share, std::span<const GrainPair> pairs, std::span<const double> x,
+                             std::span<const double> v) {
+    for (const auto& [a, b] : pairs) {
         const std::size_t i = Grains::at(a);
         const std::size_t j = Grains::at(b);
         const double dx = x[3 * j] - x[3 * i];
@@ -114,13 +144,13 @@ void SoftSystem::meet_grains(std::span<const double> x, std::span<const double> 
             const Vec2 normal(dx / distance, dy / distance);
             const double depth = reach - distance;
             const Vec2 point = place(x, a) + (bodies_[i].radius - 0.5 * depth) * normal;
-            add_contact(a, b, {point, normal, depth, true, 0.0, 0.0}, x, v);
+            add_contact(share, a, b, {point, normal, depth, true, 0.0, 0.0}, x, v);
             continue;
         }
-        touches_.clear();
-        geometry_.find(scene_.shape_of(a), poses_[i], scene_.shape_of(b), poses_[j], law_of(a, b).linear_stiffness,
-                       touches_);
-        for (const Touch& touch : touches_) add_contact(a, b, touch, x, v);
+        share.touches.clear();
+        share.geometry.find(scene_.shape_of(a), poses_[i], scene_.shape_of(b), poses_[j], law_of(a, b).linear_stiffness,
+                            share.touches);
+        for (const Touch& touch : share.touches) add_contact(share, a, b, touch, x, v);
     }
 }
 
@@ -140,9 +170,9 @@ double SoftSystem::effective_mass(const SoftContact& contact, const Vec2& arm_a,
     return 1.0 / (share(contact.b, arm_b) + (is_wall(contact.a) ? 0.0 : share(contact.a, arm_a)));
 }
 
-void SoftSystem::add_contact(BodyIndex a, BodyIndex b, const Touch& touch, std::span<const double> x,
+void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch& touch, std::span<const double> x,
                              std::span<const double> v) {
-    SoftContact& contact = next_.emplace_back();
+    SoftContact& contact = share.found.emplace_back();
     contact.a = a;
     contact.b = b;
     contact.point = touch.point;
@@ -168,21 +198,22 @@ void SoftSystem::add_contact(BodyIndex a, BodyIndex b, const Touch& touch, std::
     const PairSoftLaw& law = law_of(a, b);
     const double mass = effective_mass(contact, arm_a, arm_b);
     double sliding_way = way.dot(tangent);
-    if (!recall(contact)) {
+    if (!recall(share, contact)) {
         // The sliding before it was born is not the spring's business.
         sliding_way = 0.0;
         contact.damping = damping_of(law, drawn_restitution(scene_, step_, a, b), mass, touch.by_depth);
-        ++next_turnover_.born;
+        ++share.born;
     }
     respond(law, touch, mass, -relative.dot(touch.normal), relative.dot(tangent), sliding_way, contact);
 }
 
 /// Takes over the memory of the old contact of the same bodies that is nearest, if there is one.
-bool SoftSystem::recall(SoftContact& contact) {
-    drop_before(contact.a, contact.b);
+bool SoftSystem::recall(Share& share, SoftContact& contact) {
+    std::size_t& cursor = share.cursor;
+    while (cursor < contacts_.size() && before(contacts_[cursor], contact.a, contact.b)) ++cursor;
     std::size_t nearest = contacts_.size();
     double least = 0.0;
-    for (std::size_t k = cursor_; k < contacts_.size() && !before(contact, contacts_[k].a, contacts_[k].b); ++k) {
+    for (std::size_t k = cursor; k < contacts_.size() && !before(contact, contacts_[k].a, contacts_[k].b); ++k) {
         if (recalled_[k] != 0) continue;
         const double distance = (contacts_[k].point - contact.point).squaredNorm();
         if (nearest != contacts_.size() && distance >= least) continue;
@@ -202,13 +233,7 @@ bool SoftSystem::recall(SoftContact& contact) {
     return true;
 }
 
-void SoftSystem::drop_before(BodyIndex a, BodyIndex b) {
-    for (; cursor_ < contacts_.size() && before(contacts_[cursor_], a, b); ++cursor_) drop(cursor_);
-}
-
-void SoftSystem::drop(std::size_t old) {
-    if (recalled_[old] != 0) return;
-    const SoftContact& contact = contacts_[old];
+void SoftSystem::drop(const SoftContact& contact) {
     if (is_wall(contact.a) && !scene_.walls[static_cast<std::size_t>(wall_index(contact.a))].present(time_)) {
         next_turnover_.dropped += contact.stored_normal;
     }

@@ -15,7 +15,8 @@ namespace polargrain {
 /// position [m] and angle [rad] of grain k, velocities and accelerations likewise.
 ///
 /// Contacts have memory. `accelerations` works from the memory of the last accepted state and may be asked any number
-/// of times; `accept` takes over what it found last. Forces are summed in the order of the sorted contacts.
+/// of times; `accept` takes over what it found last. Threads share the search for contacts; forces are summed in the
+/// order of the sorted contacts, so that the number of threads changes no bit.
 class SoftSystem {
 public:
     SoftSystem(const Scene& scene, const DemSettings& settings);
@@ -58,13 +59,23 @@ private:
     };
 
     void place_polygons(std::span<const double> x);
-    void meet_walls(std::span<const double> x, std::span<const double> v);
-    void meet_grains(std::span<const double> x, std::span<const double> v);
-    void add_contact(BodyIndex a, BodyIndex b, const Touch& touch, std::span<const double> x,
+    /// What one thread finds in its share of the candidates, and its tools.
+    struct Share {
+        ContactGeometry geometry;
+        std::vector<Touch> touches;
+        std::vector<SoftContact> found;
+        std::size_t cursor = 0;  ///< first old contact that has not been passed
+        std::int64_t born = 0;
+    };
+
+    void find_contacts(std::span<const double> x, std::span<const double> v);
+    void meet_walls(Share& share, std::span<const double> x, std::span<const double> v);
+    void meet_grains(Share& share, std::span<const GrainPair> pairs, std::span<const double> x,
                      std::span<const double> v);
-    bool recall(SoftContact& contact);
-    void drop_before(BodyIndex a, BodyIndex b);
-    void drop(std::size_t old);
+    void add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch& touch, std::span<const double> x,
+                     std::span<const double> v);
+    bool recall(Share& share, SoftContact& contact);
+    void drop(const SoftContact& contact);
     double effective_mass(const SoftContact& contact, const Vec2& arm_a, const Vec2& arm_b) const;
     const PairSoftLaw& law_of(BodyIndex a, BodyIndex b) const;
     void sum_forces(std::span<const double> x, std::span<double> a) const;
@@ -73,16 +84,14 @@ private:
     SoftLaws laws_;
     SoftWalls walls_;
     Candidates candidates_;
-    ContactGeometry geometry_;
+    std::vector<Share> shares_;  ///< one for each thread
     std::vector<Body> bodies_;
     std::vector<Pose> poses_;  ///< of polygons
-    std::vector<Touch> touches_;
     bool any_polygon_ = false;
     std::int64_t step_ = 0;
 
     double time_ = 0.0;  ///< of the evaluation at hand [s]
     std::vector<SoftContact> contacts_, next_;
-    std::size_t cursor_ = 0;      ///< first old contact that has not been passed
     std::vector<char> recalled_;  ///< old contacts that live on
     Turnover turnover_, next_turnover_;
     std::vector<double> evaluated_x_;  ///< of the evaluation at hand
