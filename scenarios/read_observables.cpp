@@ -101,11 +101,11 @@ std::string read_unit(TableReader& table, const Scene& scene, const ObservableSp
     std::string unit = table.text("unit", "");
     const auto scale = unit_scale(dimension, unit, scene);
     if (!scale) {
-        table.fail("unit", fmt::format("\"{}\" is no unit of {}; give one of \"{}\"", unit, spec.quantity,
+        table.fail("unit", fmt::format(R"("{}" is no unit of {}; give one of "{}")", unit, spec.quantity,
                                        fmt::join(units_of(dimension), "\", \"")));
     }
     if (!(*scale > 0.0 && std::isfinite(*scale))) {
-        table.fail("unit", fmt::format("\"{}\" is zero in this scene, which has no gravity; give \"{}\"", unit,
+        table.fail("unit", fmt::format(R"("{}" is zero in this scene, which has no gravity; give "{}")", unit,
                                        units_of(dimension).front()));
     }
     return unit;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "src/core/error.h"
 #include "src/observe/bed.h"
@@ -110,9 +111,9 @@ std::vector<GrainIndex> find_bridge(const Scene& scene, const Grains& grains, st
     return shortest_chain(touching(grains.x.size(), contacts, still), still, abutments(grains, contacts, frame, still));
 }
 
-BridgeMeter::BridgeMeter(const Scene& scene, const Opening& opening, Measure measure)
+BridgeMeter::BridgeMeter(const Scene& scene, Opening opening, Measure measure)
     : scene_(&scene),
-      opening_(opening),
+      opening_(std::move(opening)),
       measure_(measure),
       least_(std::sqrt(2.0 * mean_outer_radius(scene) / std::sqrt(scene.gravity.squaredNorm()))) {
     require(scene.gravity.squaredNorm() > 0.0, "bridges need gravity: set run.gravity, or leave the observable out");

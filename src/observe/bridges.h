@@ -34,7 +34,7 @@ public:
         grains,      ///< in the standing bridge, zero without one
     };
 
-    BridgeMeter(const Scene& scene, const Opening& opening, Measure measure);
+    BridgeMeter(const Scene& scene, Opening opening, Measure measure);
 
     void step(const World& world, double dt, const StepReport& report);
     double read(const Sample& sample) const;

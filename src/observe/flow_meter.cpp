@@ -1,16 +1,17 @@
 #include "src/observe/flow_meter.h"
 
 #include <cmath>
+#include <utility>
 
 #include "src/core/error.h"
 #include "src/observe/bed.h"
 
 namespace polargrain {
 
-FlowMeter::FlowMeter(const Scene& scene, GrainMask mask, const std::optional<Opening>& opening, Measure measure)
+FlowMeter::FlowMeter(const Scene& scene, GrainMask mask, std::optional<Opening> opening, Measure measure)
     : scene_(&scene),
       mask_(std::move(mask)),
-      opening_(opening),
+      opening_(std::move(opening)),
       measure_(measure),
       outlet_(outlet_height(scene)),
       x_(scene.grains.x),

@@ -23,7 +23,7 @@ public:
         grain_rate,  ///< grains per time, mean since the previous reading [1/s]
     };
 
-    FlowMeter(const Scene& scene, GrainMask mask, const std::optional<Opening>& opening, Measure measure);
+    FlowMeter(const Scene& scene, GrainMask mask, std::optional<Opening> opening, Measure measure);
 
     void step(const World& world, double dt, const StepReport& report);
     double read(const Sample& sample);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "src/model/checkpoint.h"
 #include "src/model/sample.h"
@@ -20,7 +22,7 @@ class StressMeter {
 public:
     enum class Component { xx, xy, yy, pressure };
 
-    StressMeter(const Region& region, Component component) : region_(region), component_(component) {}
+    StressMeter(Region region, Component component) : region_(std::move(region)), component_(component) {}
 
     void step(const World& world, double dt, const StepReport& report);
     /// Ends the interval. NaN where no time has gone by.
@@ -49,8 +51,8 @@ public:
     };
 
     /// wall: its index in the scene. The region concerns contact points and the wall's length; none: the whole wall.
-    WallMeter(int wall, const std::optional<Region>& region, Measure measure)
-        : wall_(wall), region_(region), measure_(measure) {}
+    WallMeter(int wall, std::optional<Region> region, Measure measure)
+        : wall_(wall), region_(std::move(region)), measure_(measure) {}
 
     void step(const World& world, double dt, const StepReport& report);
     /// Ends the interval. NaN where no time has gone by, the wall is gone or nothing of it lies in the region.
