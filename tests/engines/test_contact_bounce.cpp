@@ -88,18 +88,8 @@ TEST_P(ReboundHeight, IsTheSquareOfRestitution) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Coefficients, ReboundHeight,
-                         ::testing::Combine(::testing::Values(0.5, 0.7, 0.85, 1.0), ::testing::Bool(),
+                         ::testing::Combine(::testing::Values(0.3, 0.5, 0.7, 0.85, 1.0), ::testing::Bool(),
                                             ::testing::Values(0.5, 2.0, 20.0)));
-
-TEST(ReboundHeight, OfAWeakReboundShowsTheRestingGap) {
-    // Aim 2 % from 0.5 d. A grain bounces off the skin of 1e-3 d over the floor: with e = 0.3 the rebound is 0.045 d
-    // high and the skin 2.2 % of it, half of which, and the sub-step, show in the speed. Measured 3.3 %; at 2 d 0.6 %.
-    const double low = rebound(0.3, false, 0.5 * k_d, 1e-3);
-    const double high = rebound(0.3, false, 2.0 * k_d, 1e-3);
-    fmt::print("e 0.3: {:.5f} from 0.5 d, {:.5f} from 2 d\n", low, high);
-    EXPECT_NEAR(low / 0.3, 1.0, 0.04);
-    EXPECT_NEAR(high / 0.3, 1.0, 0.02);
-}
 
 class ElasticBouncing : public ::testing::TestWithParam<double> {};
 

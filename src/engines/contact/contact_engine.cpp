@@ -44,6 +44,7 @@ public:
 private:
     static constexpr double k_opening = 0.02;         ///< of the resting gap a grain, in one step
     static constexpr double k_opening_in_all = 10.0;  ///< the same for the whole run
+    static constexpr double k_spending = 0.5;  ///< of what a step has dissipated; the whole would go round for ever
     static constexpr int k_opening_passes = 60;
     static constexpr int k_careful_steps = 10;
     static constexpr double k_careful_share = 0.01;
@@ -58,7 +59,7 @@ private:
         granted_ = 0.0;
         trial_ = before_;
         solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, sweeps(), report);
-        correct_positions(energy_before, report);
+        correct_positions(energy_before, dt, report);
         refresh_trial();
         detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
         repair(report);
@@ -142,9 +143,11 @@ private:
         };
         trial_ = before_;
         detect();
-        for (int pass = 0; pass < k_opening_passes && PositionCorrection::needed(contacts_); ++pass) {
+        const PositionCorrection::Pace pace{dt, PositionCorrection::k_trigger};
+        for (int pass = 0; pass < k_opening_passes && PositionCorrection::needed(contacts_, bodies_, pace); ++pass) {
             solver_.prepare_at_rest(contacts_, bodies_, trial_);
-            correction_.correct(contacts_, bodies_, scene_.gravity, std::numeric_limits<double>::infinity(), trial_);
+            correction_.correct(contacts_, bodies_, scene_.gravity, pace, std::numeric_limits<double>::infinity(),
+                                trial_);
             refresh_trial();
             detect();
         }
@@ -169,14 +172,15 @@ private:
 
     double wall_work(const StepReport& report) const { return report.ledger.wall_work - ledger_remembered_.wall_work; }
 
-    /// The correction may spend what the step has dissipated, and a little of its own, which comes to an end: bodies
-    /// that start without any gap between them could otherwise never get their resting gaps. That little is granted to
-    /// the guard and stands in the ledger as correction.
-    void correct_positions(double energy_before, StepReport& report) {
+    /// The correction may spend half of what the step has dissipated, and a little of its own, which comes to an end:
+    /// bodies that start without any gap between them could otherwise never get their resting gaps. That little is
+    /// granted to the guard and stands in the ledger as correction.
+    void correct_positions(double energy_before, double dt, StepReport& report) {
         const double dissipated =
             std::max(0.0, energy_before + wall_work(report) - total_energy(bodies_, trial_, scene_.gravity));
         const double grant = std::min(k_opening * opening_unit_, opening_left_);
-        const double lift = correction_.correct(contacts_, bodies_, scene_.gravity, dissipated + grant, trial_);
+        const double lift = correction_.correct(contacts_, bodies_, scene_.gravity, {dt, PositionCorrection::k_still},
+                                                k_spending * dissipated + grant, trial_);
         report.ledger.correction += lift;
         granted_ = std::max(0.0, lift - dissipated);
         opening_left_ = std::max(0.0, opening_left_ - granted_);

@@ -21,13 +21,17 @@ public:
     static constexpr double k_foot_gap = 2.0;    ///< feet are at most this many resting gaps from the wall
     static constexpr double k_foot_speed = 0.1;  ///< of the closing speed: feet that move faster hold nothing
 
+    static constexpr double k_alone = 8.0;  ///< ways of the closing speed in a sub-step; nothing else may be nearer
+
     explicit GapImpacts(const Scene& scene) : scene_(scene) {}
 
     /// For the step that follows; `halfway` is where the contacts have been carried to, and must outlive it.
     void begin(const std::vector<GapContact>& contacts, const Halfway& halfway, std::int64_t step, double time,
                double dt);
 
-    void run(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, StepReport& report);
+    /// `trial` are the poses that the sub-step moves on.
+    void run(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, double h,
+             StepReport& report);
 
     /// A contact that closes, in the order in which they are struck.
     struct Strike {
@@ -46,6 +50,9 @@ private:
 
     void index_by_grain(const std::vector<GapContact>& contacts);
     bool strikes(const GapContact& c, const std::vector<SolverBody>& bodies, double h, double& speed) const;
+    double time_to_meeting(const GapContact& c, double speed, const std::vector<GapContact>& contacts, double h) const;
+    void strike_in_flight(GapContact& c, double speed, double flight, std::vector<GapContact>& contacts,
+                          std::vector<SolverBody>& bodies, PoseSet& trial, StepReport& report);
     void strike(GapContact& c, double speed, std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies,
                 StepReport& report);
     void add_stances(BodyIndex grain, double speed, std::vector<GapContact>& contacts,

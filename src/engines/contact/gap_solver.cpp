@@ -19,7 +19,7 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
     const double h = dt / k_sub_steps;
     for (int s = 0; s < k_sub_steps; ++s) {
         set_wall_velocities(contacts, time + (s + 0.5) * h);
-        impacts_.run(contacts, bodies, h, report);
+        impacts_.run(contacts, bodies, trial, h, report);
         lasting(contacts, bodies, h, sweeps);
         keep_energy(contacts, bodies, h);
         move(contacts, bodies, trial, h, report);

@@ -1,26 +1,35 @@
 #include "src/engines/contact/position_correction.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "src/engines/contact/gap_motion.h"
 
 namespace polargrain {
 
-namespace {
+bool PositionCorrection::needed(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
+                                const Pace& pace) {
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [&](const GapContact& c) { return too_near(c, bodies, pace); });
+}
 
-bool too_near(const GapContact& c) { return c.active && c.gap < PositionCorrection::k_trigger * c.resting; }
-
-}  // namespace
-
-bool PositionCorrection::needed(const std::vector<GapContact>& contacts) {
-    return std::any_of(contacts.begin(), contacts.end(), too_near);
+bool PositionCorrection::too_near(const GapContact& c, const std::vector<SolverBody>& bodies, const Pace& pace) {
+    if (!c.active || c.gap >= k_trigger * c.resting) return false;
+    const double way = pace.dt * (std::abs(normal_speed(c, bodies)) + std::abs(tangent_speed(c, bodies)));
+    const double stir = std::min(1.0, way / (k_stir * c.resting));
+    const double still = c.friction > 0.0 ? pace.still : std::max(pace.still, k_still_smooth);
+    return c.gap < (still + (k_trigger - still) * stir) * c.resting;
 }
 
 double PositionCorrection::correct(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                                   const Vec2& gravity, double budget, PoseSet& trial) {
-    if (budget <= 0.0 || !needed(contacts)) return 0.0;
+                                   const Vec2& gravity, const Pace& pace, double budget, PoseSet& trial) {
+    if (budget <= 0.0 || !needed(contacts, bodies, pace)) return 0.0;
     near_.clear();
+    too_near_.clear();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         if (contacts[k].active && contacts[k].gap < k_look * contacts[k].resting) {
             near_.push_back(static_cast<std::int32_t>(k));
+            too_near_.push_back(too_near(contacts[k], bodies, pace) ? 1 : 0);
         }
     }
 
@@ -30,7 +39,8 @@ double PositionCorrection::correct(const std::vector<GapContact>& contacts, cons
         for (std::size_t m = 0; m < near_.size(); ++m) {
             const std::size_t n = s % 2 == 0 ? m : near_.size() - 1 - m;
             const GapContact& c = contacts[static_cast<std::size_t>(near_[n])];
-            const double aim = too_near(c) ? c.gap + k_part * (c.resting - c.gap) : k_trigger * c.resting;
+            const bool near = too_near_[n] != 0;
+            const double aim = near ? c.gap + k_part * (c.resting - c.gap) : std::min(c.gap, k_trigger * c.resting);
             Shift& i = shift_[Grains::at(c.i)];
             double gap = c.gap + c.normal.dot(i.way) + c.arm_ni * i.turn;
             if (!is_wall(c.j)) {

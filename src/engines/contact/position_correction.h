@@ -16,24 +16,37 @@ namespace polargrain {
 class PositionCorrection {
 public:
     static constexpr double k_trigger = 0.7;
+    static constexpr double k_still = 0.2;
+    static constexpr double k_still_smooth = 0.5;
+    static constexpr double k_stir = 0.1;
     static constexpr double k_part = 0.3;
     static constexpr double k_look = 1.5;  ///< gaps beyond this many resting gaps take no part
     static constexpr int k_sweeps = 6;
 
-    /// Is any gap below k_trigger of its resting gap?
-    static bool needed(const std::vector<GapContact>& contacts);
+    /// How fast gaps may get lost.
+    struct Pace {
+        double dt;     ///< [s]
+        double still;  ///< trigger, in resting gaps, for pairs that do not move past one another
+    };
+
+    /// Is any gap below its trigger? Pairs that move by k_stir of the resting gap in a step need k_trigger.
+    static bool needed(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
+                       const Pace& pace);
 
     /// budget [J/m] >= 0. Returns the potential energy added [J/m].
     double correct(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Vec2& gravity,
-                   double budget, PoseSet& trial);
+                   const Pace& pace, double budget, PoseSet& trial);
 
 private:
+    static bool too_near(const GapContact& c, const std::vector<SolverBody>& bodies, const Pace& pace);
+
     struct Shift {
         Vec2 way = Vec2::Zero();
         double turn = 0.0;
     };
     std::vector<Shift> shift_;
     std::vector<std::int32_t> near_;
+    std::vector<char> too_near_;
     std::vector<double> push_;
 };
 
