@@ -239,9 +239,10 @@ FigureResult draw_fig17(const FigureDesk& desk) {
             return mean_and_spread(cosines).mean;
         };
         for (unsigned s = 0; s < runs.size(); ++s) table.rows.push_back(seed_row(engine, s + 1, runs[s]));
-        result.findings.push_back({engine, "order along the flow in the opening, <cos 2α>", order(opening), 0.05, 1.0,
-                                   "", "[HN94, sec. 4.3.2]: grains align through the opening",
-                                   "blocked: what lies in the opening is a bridge, across the flow"});
+        result.findings.push_back({engine, "order along the flow of sticks that pass the opening, <cos 2α>",
+                                   order(opening), 0.05, 1.0, "",
+                                   "[HN94, sec. 4.3.2]: grains align through the opening",
+                                   "sticks tip over the edges of the opening, and fall through it aslant"});
         result.findings.push_back({engine, "the same in the bed above", order(bed), -1.0, 0.0, "",
                                    "settled sticks lie flat, [HN94, Fig. 17 at 0 s]", ""});
         add_bridge_findings(result.findings, engine, runs);

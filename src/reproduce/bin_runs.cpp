@@ -73,13 +73,17 @@ double tilt(const Scene& scene, const Grains& grains, GrainIndex k) {
     return std::acos(std::min(1.0, std::abs(std::sin(angle)))) / k_radians_per_degree;
 }
 
-void add_tilts(BinRun& run, const Bin& bin, const Scene& scene, const Grains& grains) {
+/// In the opening only sticks on their way count: those that have moved since the frame before. Velocities do not tell,
+/// because grains of contact-1994 keep velocities that they do not move with.
+void add_tilts(BinRun& run, const Bin& bin, const Scene& scene, const Grains& before, const Grains& grains) {
+    constexpr double k_on_its_way = 0.3 * k_bin_frame;  // m
     const Region above{{bin.opening.from.x(), -0.02}, {bin.opening.to.x(), 0.04}};
     for (GrainIndex k = 0; k < grains.size(); ++k) {
         const double angle = tilt(scene, grains, k);
         if (!std::isfinite(angle)) return;
         const Vec2 p = grains.position(k);
-        if (above.holds(p)) run.tilt_in_opening.push_back(angle);
+        const bool moves = (p - before.position(k)).squaredNorm() > k_on_its_way * k_on_its_way;
+        if (moves && above.holds(p)) run.tilt_in_opening.push_back(angle);
         if (p.y() > 0.06) run.tilt_in_bed.push_back(angle);
     }
 }
@@ -89,6 +93,7 @@ BinRun read_bin(const Bin& bin, const std::filesystem::path& folder, bool tilts)
     const Scene& scene = recording.scene();
     BridgeMeter bridges(scene, bin.opening, BridgeMeter::Measure::count);
     BinRun run;
+    Grains previous;
     StepReport report;
     double before = 0.0;
     // A grain falls its own size in this time: as long without any, something holds them.
@@ -106,11 +111,12 @@ BinRun read_bin(const Bin& bin, const std::filesystem::path& folder, bool tilts)
         report.contacts = std::move(frame.contacts);
         if (f > 0) bridges.step(frame.world, time - before, report);
         before = time;
-        if (tilts && f % 10 == 0) add_tilts(run, bin, scene, frame.world.grains);
+        if (tilts && f % 5 == 1) add_tilts(run, bin, scene, previous, frame.world.grains);
         if (f + 1 == recording.frames()) {
             run.standing_at_end =
                 find_bridge(scene, frame.world.grains, report.contacts, bin.opening).empty() ? 0.0 : 1.0;
         }
+        previous = std::move(frame.world.grains);
     }
     run.bridge_lives = bridges.lives();
     return run;

@@ -1,5 +1,7 @@
 #include "src/reproduce/reproduce.h"
 
+#include <algorithm>
+
 #include "src/core/error.h"
 #include "src/plot/plot.h"
 #include "src/reproduce/report.h"
@@ -7,6 +9,14 @@
 namespace polargrain {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+bool all_finished(const RunStore& store, const std::vector<Piece>& pieces) {
+    return std::all_of(pieces.begin(), pieces.end(), [&](const Piece& piece) { return store.finished(piece); });
+}
+
+}  // namespace
 
 void check_reproduce_folder(const fs::path& folder) {
     if (!fs::exists(folder)) return;
@@ -30,7 +40,10 @@ bool reproduce(const ReproduceSettings& settings, const std::atomic<bool>& stop,
     const Report report(settings.folder);
     for (const Figure& figure : settings.figures) {
         const auto show = [&](const StoreProgress& progress) { events.running(figure, progress); };
-        if (!store.complete(figure.pieces(names), settings.jobs, stop, show)) return false;
+        // Anew where a scenario file was edited meanwhile: what is drawn goes by the files as they are then.
+        do {
+            if (!store.complete(figure.pieces(names), settings.jobs, stop, show)) return false;
+        } while (!all_finished(store, figure.pieces(names)));
         events.drawing(figure);
         const FigureResult result = figure.draw(desk);
         report.add(figure, result);
