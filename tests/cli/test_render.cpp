@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "tests/cli/program_runner.h"
 #include "tests/cli/small_scenarios.h"
@@ -69,9 +70,13 @@ TEST_F(Render, TakesTheFramesThatAreAskedFor) {
     EXPECT_FALSE(fs::exists(scratch_ / "none"));
 }
 
-TEST_F(Render, WritesVectorsAndMovies) {
+TEST_F(Render, WritesVectors) {
     ASSERT_EQ(polargrain({"render", "run", "-o", "v", "--format", "svg", "--every", "5"}).exit_code, 0);
     EXPECT_THAT(read_file(scratch_ / "v" / "000000.svg"), HasSubstr("<svg"));
+}
+
+TEST_F(Render, WritesMoviesWhereFfmpegIsInstalled) {
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
     for (const char* name : {"one.mp4", "two.mp4"}) {
         const Outcome movie = polargrain({"render", "run", "-o", name, "--size", "320x200"});
         ASSERT_EQ(movie.exit_code, 0) << movie.err;
@@ -81,6 +86,16 @@ TEST_F(Render, WritesVectorsAndMovies) {
     EXPECT_TRUE(movie == read_file(scratch_ / "two.mp4")) << "equal frames, equal bytes";
     EXPECT_FALSE(fs::exists(scratch_ / "one.mp4.part"));
     EXPECT_FALSE(fs::exists(scratch_ / "one.mp4.log"));
+}
+
+TEST_F(Render, SaysWhatAMovieNeeds) {
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", "/nowhere", 1);
+    const Outcome refused = polargrain({"render", "run", "-o", "movie.mp4"});
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("apt-get install ffmpeg"));
+    EXPECT_FALSE(fs::exists(scratch_ / "movie.mp4"));
 }
 
 TEST_F(Render, RefusesToOverwriteAndWrongSizes) {
