@@ -67,13 +67,13 @@ void Meters::add(const std::string& quantity, Statistic statistic) {
     add(spec, Reduction(statistic, {}, {}), quantity);
 }
 
-void Meters::add(const ObservableSpec& spec, Reduction reduction, const std::string& name) {
+void Meters::add(const ObservableSpec& spec, const Reduction& reduction, const std::string& name) {
     // Our own measure of overlap takes its place: this one believes the engine too.
     if (spec.quantity == "deepest_overlap" || std::ranges::count(quantities_, name, &Quantity::name) > 0) return;
     observers_.emplace_back(spec, scene_);
     const std::string unit = units_of(observers_.back().entry().dimension).front();
     quantities_.push_back({name, unit == "1" ? "" : unit});
-    reductions_.push_back(std::move(reduction));
+    reductions_.push_back(reduction);
 }
 
 void Meters::step(const World& world, double dt, const StepReport& report) {

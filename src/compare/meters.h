@@ -37,7 +37,7 @@ public:
 
 private:
     void add(const std::string& quantity, Statistic statistic);
-    void add(const ObservableSpec& spec, Reduction reduction, const std::string& name);
+    void add(const ObservableSpec& spec, const Reduction& reduction, const std::string& name);
     void add_own(const std::string& name, const std::string& unit, Statistic statistic);
     double stopped(const Sample& sample);
 

@@ -112,7 +112,7 @@ BoxWorld::BoxWorld(const Scene& scene, const BoxSetup& setup, const Grains& grai
     let_go_of_fallen(dt);
 }
 
-b2Fixture* BoxWorld::add_fixture(b2Body* body, const b2Shape& shape, std::uintptr_t number) {
+b2Fixture* BoxWorld::add_fixture(b2Body* body, const b2Shape& shape, std::uintptr_t number) const {
     b2FixtureDef definition;
     definition.shape = &shape;
     definition.userData.pointer = number;
@@ -273,12 +273,10 @@ void BoxWorld::give(Grains& grains) const {
     }
 }
 
-std::vector<WarmStart> BoxWorld::warm_starts() const {
+std::vector<WarmStart> BoxWorld::warm_starts() {
     if (!first_guesses_.empty()) return first_guesses_;
     std::vector<WarmStart> starts;
-    // Box2D hands out its contacts only for change, though nothing is changed here.
-    for (auto* contact = const_cast<b2Contact*>(world_.GetContactList()); contact != nullptr;
-         contact = contact->GetNext()) {
+    for (b2Contact* contact = world_.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
         const b2Manifold* manifold = contact->GetManifold();
         for (int32 p = 0; p < manifold->pointCount; ++p) {
             const b2ManifoldPoint& point = manifold->points[p];

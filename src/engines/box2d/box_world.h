@@ -63,7 +63,7 @@ public:
     /// Of the last step, in the order in which Box2D reported them.
     const std::vector<PointImpulse>& impulses() const { return impulses_; }
     /// What the next step will begin with, sorted by key.
-    std::vector<WarmStart> warm_starts() const;
+    std::vector<WarmStart> warm_starts();
     /// Velocity of a wall's material at a point during the last step [m/s].
     Vec2 wall_velocity(int wall, const Vec2& point) const;
     /// The first grain that has been cut off at Box2D's limits in the last step, or -1.
@@ -78,7 +78,7 @@ private:
     void add_grain(const Grains& grains, GrainIndex k);
     void add_closed_chain(b2Body* body, std::vector<b2Vec2> points, std::uintptr_t number);
     void add_open_chain(b2Body* body, const std::vector<b2Vec2>& points, std::uintptr_t number);
-    b2Fixture* add_fixture(b2Body* body, const b2Shape& shape, std::uintptr_t number);
+    b2Fixture* add_fixture(b2Body* body, const b2Shape& shape, std::uintptr_t number) const;
     void place_walls(double time, double dt);
     void remember_poses();
     /// Below everything, falling, and soon too fast for Box2D.
