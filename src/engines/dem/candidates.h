@@ -25,7 +25,6 @@ public:
     const std::vector<GrainPair>& pairs() const { return pairs_; }  ///< ascending
     /// Ascending in (BodyIndex of the wall, grain).
     const std::vector<WallCandidate>& at_walls() const { return at_walls_; }
-    double radius(GrainIndex k) const { return radii_[Grains::at(k)]; }
 
 private:
     bool still_good(std::span<const double> x, const SoftWalls& walls) const;

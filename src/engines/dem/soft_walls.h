@@ -32,7 +32,6 @@ public:
     /// Velocity of the wall's material at the world's origin and its spin.
     const Motion& motion(int wall) const { return motions_[static_cast<std::size_t>(wall)]; }
     bool any_moves() const { return any_moves_; }
-    bool moves(const SoftPiece& piece) const { return scene_.walls[static_cast<std::size_t>(piece.wall)].moves(); }
 
 private:
     struct Rest {
