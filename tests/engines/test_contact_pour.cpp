@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "shapes/library.h"
-#include "shapes/outline.h"
-#include "src/core/random.h"
 #include "src/engines/contact/contact_engine.h"
 #include "tests/support/running.h"
 #include "tests/support/scenes.h"
@@ -70,29 +68,11 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Pour,
                                            PourCase{"mixed", PourShape::mixed, 300, 0.2, 0.0, 1e-6, 1e-9}),
                          [](const auto& c) { return c.param.name; });
 
-/// 40 grains of one outline, 10 across, scaled to an outer radius of 10 mm, above a box of twelve diameters.
-Scene pour_outline(const std::string& name, std::uint64_t seed) {
-    Scene scene = testing::empty_scene(0.3, 0.3);
-    const OutlineFile file = find_outline(name, shape_library_folder());
-    const double reach = prepare_outline(name, file.points).outer_radius();
-    std::vector<Vec2> points = file.points;
-    for (Vec2& p : points) p *= 0.5 * k_diameter / reach;
-    const ShapeIndex shape = scene.add(std::make_shared<const Shape>(prepare_outline(name, points)));
-    testing::add_box(scene, 12.0 * k_diameter, 12.0 * k_diameter);
-    RandomStream random(seed, RandomPurpose::test);
-    for (int k = 0; k < 40; ++k) {
-        const int row = k / 10;
-        const Vec2 place{(1.05 + 1.1 * (k % 10)) * k_diameter, (0.6 + 1.05 * row) * k_diameter};
-        scene.add(Grain{shape, 0, place, random.uniform(-k_pi, k_pi), {0.1 * random.normal(), 0.0}});
-    }
-    return scene;
-}
-
 class Outline : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Outline, ComesToRestWithinTwoSeconds) {
     const std::uint64_t seed = 3;
-    Running sim(make_contact, pour_outline(GetParam(), seed));
+    Running sim(make_contact, testing::pour_outline(GetParam(), 40, 10, seed));
     ASSERT_EQ(testing::count_overlaps(sim.scene, sim.world.grains, 0.0, 1e-9), 0);
     const double dt = sim.engine->suggested_dt();
     int overlaps = 0;

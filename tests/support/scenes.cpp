@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "shapes/library.h"
+#include "shapes/outline.h"
 #include "shapes/shape_spec.h"
 #include "src/core/random.h"
 
@@ -82,6 +84,25 @@ Scene pour(PourShape shape, int n, std::uint64_t seed, double restitution, doubl
         grain.angle = random.uniform(-k_pi, k_pi);
         grain.velocity = {0.1 * random.normal(), 0.1 * random.normal()};
         scene.add(grain);
+    }
+    return scene;
+}
+
+Scene pour_outline(const std::string& outline, int n, int across, std::uint64_t seed) {
+    const double d = 0.02;
+    Scene scene = empty_scene(0.3, 0.3);
+    scene.seed = seed;
+    const OutlineFile file = find_outline(outline, shape_library_folder());
+    const double reach = prepare_outline(outline, file.points).outer_radius();
+    std::vector<Vec2> points = file.points;
+    for (Vec2& p : points) p *= 0.5 * d / reach;
+    const ShapeIndex shape = scene.add(std::make_shared<const Shape>(prepare_outline(outline, points)));
+    const int rows = (n + across - 1) / across;
+    add_box(scene, (1.1 * across + 1.0) * d, (1.05 * rows + 8.0) * d);
+    RandomStream random(seed, RandomPurpose::test);
+    for (int k = 0; k < n; ++k) {
+        const Vec2 place{(1.05 + 1.1 * (k % across)) * d, (0.6 + 1.05 * (k / across)) * d};
+        scene.add(Grain{shape, 0, place, random.uniform(-k_pi, k_pi), {0.1 * random.normal(), 0.0}});
     }
     return scene;
 }

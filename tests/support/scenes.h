@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "src/model/scene.h"
@@ -30,6 +31,9 @@ enum class PourShape { rough, disk, star, stick, mixed };
 /// n grains of diameter about 20 mm above a box 20 (or `columns`) diameters wide, in rows that do not touch, with small
 /// random velocities and angles drawn from the seed.
 Scene pour(PourShape shape, int n, std::uint64_t seed, double restitution, double friction, int columns = 20);
+
+/// n grains of one shipped outline, scaled to an outer radius of 10 mm, in rows of `across` above a box a little wider.
+Scene pour_outline(const std::string& outline, int n, int across, std::uint64_t seed);
 
 /// Number of pairs of grains, and of grains and wall pieces, that overlap by more than `tolerance` [m]; found without
 /// any of the program's own detection: outlines as points, segments against segments and winding numbers.

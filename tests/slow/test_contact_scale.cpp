@@ -1,0 +1,98 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "shapes/library.h"
+#include "src/engines/contact/contact_engine.h"
+#include "tests/support/running.h"
+#include "tests/support/scenes.h"
+
+namespace polargrain {
+namespace {
+
+using testing::PourShape;
+using testing::Running;
+
+constexpr double k_d = 0.02;
+
+/// The same pour with an opening of 8 d in the middle of the floor, closed until `open_at` [s].
+Scene pour_over_plug(int n, int columns, double open_at) {
+    Scene scene = testing::pour(PourShape::rough, n, 3, 0.3, 0.2, columns);
+    const double width = columns * k_d;
+    const double height = scene.walls[0].points.front().y();
+    scene.walls.clear();
+    const double left = 0.5 * width - 4.0 * k_d;
+    const double right = 0.5 * width + 4.0 * k_d;
+    testing::add_wall(scene, "left", {{0.0, height}, {0.0, 0.0}, {left, 0.0}});
+    testing::add_wall(scene, "right", {{right, 0.0}, {width, 0.0}, {width, height}});
+    testing::add_wall(scene, "plug", {{left, 0.0}, {right, 0.0}});
+    scene.walls.back().remove_at = open_at;
+    return scene;
+}
+
+class PouredAndEmptied : public ::testing::TestWithParam<int> {};
+
+TEST_P(PouredAndEmptied, RejectsNextToNothingAndNothingOverlaps) {
+    const int n = GetParam();
+    const int columns = static_cast<int>(20.0 * std::sqrt(n / 500.0));
+    // The highest grain falls about 1.4 times the width.
+    const double open_at = 0.4 + std::sqrt(2.0 * 1.4 * columns * k_d / 9.81);
+    Running sim(make_contact, pour_over_plug(n, columns, open_at));
+    const double dt = 1e-3;
+    int overlaps = 0;
+    sim.run(open_at + 0.6, dt, [&] {
+        if (sim.world.step % 100 == 0) {
+            overlaps += testing::count_overlaps(sim.scene, sim.world.grains, sim.world.time, 1e-9);
+        }
+    });
+    int out = 0;
+    for (const double y : sim.world.grains.y) out += y < 0.0 ? 1 : 0;
+    fmt::print(
+        "{} grains, dt {} (suggested {:.3g}), {:.2f} s: {} out, rejected {:.5f} %, overlaps {}, rises {:.2g} E0\n", n,
+        dt, sim.engine->suggested_dt(), sim.world.time, out, 100.0 * sim.rejected_share(), overlaps,
+        sim.ledger.rises / sim.start_energy);
+    EXPECT_GT(out, 60);
+    EXPECT_LT(sim.rejected_share(), 1e-3);
+    EXPECT_EQ(overlaps, 0);
+    EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grains, PouredAndEmptied, ::testing::Values(500, 2000, 8000));
+
+class FiveHundred : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(FiveHundred, ComeToRestWithinTwoSeconds) {
+    Running sim(make_contact, testing::pour_outline(GetParam(), 500, 25, 4));
+    const double dt = sim.engine->suggested_dt();
+    sim.run(2.0, dt);
+    const int overlaps = testing::count_overlaps(sim.scene, sim.world.grains, sim.world.time, 1e-9);
+    const double floor = -sim.wall_force(0, dt).y() / sim.weight();
+    fmt::print("500 {}, dt {:.3g}: KE {:.2g} m g d (< 1e-9), rejected {:.5f} %, overlaps {}, rises {:.2g} E0, ",
+               GetParam(), dt, sim.restlessness(k_d), 100.0 * sim.rejected_share(), overlaps,
+               sim.ledger.rises / sim.start_energy);
+    fmt::print("floor force / weight - 1 {:.2g}\n", floor - 1.0);
+    EXPECT_EQ(overlaps, 0);
+    EXPECT_LT(sim.rejected_share(), 1e-3);
+    EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
+    EXPECT_LT(sim.restlessness(k_d), 1e-9);
+}
+
+std::vector<std::string> shipped_outlines() {
+    std::vector<std::string> names;
+    for (const OutlineFile& file : shape_library()) names.push_back(file.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, FiveHundred, ::testing::ValuesIn(shipped_outlines()), [](const auto& c) {
+    std::string name = c.param;
+    for (char& letter : name) {
+        if (letter == '-') letter = '_';
+    }
+    return name;
+});
+
+}  // namespace
+}  // namespace polargrain
