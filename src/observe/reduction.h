@@ -9,8 +9,8 @@
 namespace polargrain {
 
 /// Makes one number of an observable's readings, leaving out those that are no numbers and those outside the window
-/// [from, to]. A reading is taken at the first step at or after its time: the one that is due at `to` lies outside where
-/// no step falls on it.
+/// [from, to]. A reading is taken at the first step at or after its time: the one that is due at `to` lies outside
+/// where no step falls on it.
 class Reduction {
 public:
     Reduction(Statistic statistic, std::optional<double> from, std::optional<double> to)
