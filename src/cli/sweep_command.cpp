@@ -46,7 +46,7 @@ struct Job {
     bool done = false;
     bool failed = false;
 
-    fs::path log() const { return fs::path(folder.string() + ".log"); }
+    fs::path log() const { return {folder.string() + ".log"}; }
     bool begun() const { return content_of(folder / "scenario.toml") == scenario; }
     bool completed() const {
         const Json summary = Json::parse(content_of(folder / "summary.json"), nullptr, false);
