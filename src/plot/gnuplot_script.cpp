@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace polargrain {
 
@@ -138,11 +139,39 @@ std::string range(char axis, const std::optional<std::pair<double, double>>& giv
                  : fmt::format("set {}range [{}:*]\n", axis, lower);
 }
 
+/// Whether an axis that gnuplot rounds to whole ticks would go below zero, where no point does.
+bool starts_at_zero(const Panel& panel, std::vector<double> Series::*values) {
+    constexpr double k_next_to_zero = 0.1;  // of the largest value
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const Series& s : panel.series) {
+        for (std::size_t k = 0; k < s.x.size(); ++k) {
+            if (!drawable(s, k)) continue;
+            lowest = std::min(lowest, (s.*values)[k]);
+            highest = std::max(highest, (s.*values)[k]);
+        }
+    }
+    return lowest >= 0.0 && lowest < k_next_to_zero * highest;
+}
+
+std::string lower_end_of_x(const Panel& panel) {
+    return !panel.map && !panel.log_x && starts_at_zero(panel, &Series::x) ? "0" : "*";
+}
+
 /// Bars stand on zero.
-std::string lower_end(const Panel& panel) {
+std::string lower_end_of_y(const Panel& panel) {
     const bool bars = std::any_of(panel.series.begin(), panel.series.end(),
                                   [](const Series& s) { return s.style == SeriesStyle::bars; });
-    return bars && !panel.log_y ? "0" : "*";
+    const bool zero = bars || (!panel.map && starts_at_zero(panel, &Series::y));
+    return zero && !panel.log_y ? "0" : "*";
+}
+
+std::string x_ticks(const Panel& panel) {
+    if (panel.x_names.empty()) return "set xtics autofreq nomirror out\n";
+    std::string names;
+    for (std::size_t k = 0; k < panel.x_names.size(); ++k) {
+        names += fmt::format("{}{} {}", names.empty() ? "" : ", ", quoted(panel.x_names[k]), k + 1);
+    }
+    return fmt::format("set xtics nomirror out ({})\n", names);
 }
 
 std::string axes(const Panel& panel) {
@@ -150,14 +179,12 @@ std::string axes(const Panel& panel) {
                                    quoted(panel.x_label), quoted(panel.y_label), key_place(panel.key));
     text += panel.log_x ? "set logscale x\n" : "unset logscale x\n";
     text += panel.log_y ? "set logscale y\n" : "unset logscale y\n";
-    text += range('x', panel.x_range, "*") + range('y', panel.y_range, lower_end(panel));
+    text += range('x', panel.x_range, lower_end_of_x(panel)) + range('y', panel.y_range, lower_end_of_y(panel));
     if (panel.map) {
         text += "set size ratio -1\nunset border\nunset tics\nunset grid\nunset key\n";
     } else {
-        text +=
-            "set size noratio\nset border 3 lc rgb '#777777'\nset xtics nomirror out\nset ytics nomirror out\nset grid "
-            "lc rgb '#dddddd' lt 1 lw "
-            "1\n";
+        text += "set size noratio\nset border 3 lc rgb '#777777'\n" + x_ticks(panel) +
+                "set ytics nomirror out\nset grid lc rgb '#dddddd' lt 1 lw 1\n";
     }
     return text;
 }

@@ -49,6 +49,8 @@ struct Panel {
     std::string x_label = {}, y_label = {};  ///< with the unit
     std::vector<Series> series = {};
     std::vector<Level> levels = {};
+    std::vector<std::string> x_names = {};  ///< written at x = 1, 2, ... instead of numbers; empty: numbers
+    /// None: as the points need it, and not below zero where all lie above.
     std::optional<std::pair<double, double>> x_range = std::nullopt, y_range = std::nullopt;
     bool log_x = false, log_y = false;
     bool map = false;  ///< the same scale on both axes, and neither axes nor key drawn: for sketches of shapes

@@ -79,13 +79,7 @@ FigureResult draw_efficiency(const FigureDesk& desk) {
         }
         panel.series.push_back(std::move(series));
     }
-    Series names{.style = SeriesStyle::labels, .colour = 6};
-    for (std::size_t t = 0; t < tasks().size(); ++t) {
-        names.x.push_back(static_cast<double>(t) + 1.0);
-        names.y.push_back(0.02);
-        names.texts.push_back(tasks()[t].name);
-    }
-    panel.series.push_back(std::move(names));
+    for (const Task& task : tasks()) panel.x_names.push_back(task.name);
     write_plot({"Section 4.4: what a simulated second costs", {panel}, 1, 900, 600}, desk.stem("efficiency"));
     result.pictures = {{desk.stem("efficiency"), "Cost of the same scenes with the engines of this build"}};
     result.tables = {std::move(table)};

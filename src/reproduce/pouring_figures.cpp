@@ -19,6 +19,7 @@ const Engines k_pouring_engines{"contact", "contact-1994", "dem", "box2d"};
 constexpr unsigned k_seeds = 4;
 constexpr double k_frame = 0.02;  // between stored frames [s]
 const std::vector<double> k_snapshot_times{0.0, 0.2, 0.6};
+constexpr const char* k_heaped = "the surface is heaped, and fewer disks have found a place in the rows";
 
 Piece pouring_piece(const std::string& engine, unsigned seed) {
     std::vector<std::string> set{fmt::format("output.trajectory.every={}", k_frame), "output.series.every=0.0"};
@@ -86,10 +87,9 @@ void add_findings(std::vector<Finding>& findings, const std::string& engine, con
                             "own step, disks and box are unknown"});
     } else {
         findings.push_back({engine, "area fraction under the top disks", area, 0.85, 0.89, "",
-                            "0.02 about the 0.870 of three soft-sphere programs; hexagonal 0.9069", ""});
+                            "0.02 about the 0.870 of three soft-sphere programs; hexagonal 0.9069", k_heaped});
         findings.push_back({engine, "final potential energy over the hexagonal minimum", mean_and_spread(p.energy).mean,
-                            1.005, 1.03, "", "three soft-sphere programs: 1.012 to 1.024",
-                            "the surface is heaped, and fewer disks have found a place in the rows"});
+                            1.005, 1.03, "", "three soft-sphere programs: 1.012 to 1.024", k_heaped});
     }
     findings.push_back({engine, "time until the potential energy stays within 1 %", mean_and_spread(p.settling).mean,
                         0.35, 0.65, "s", "[HN94, sec. 4.2]: about 0.5 s", literal_why(engine)});
@@ -167,16 +167,16 @@ FigureResult draw_fig15(const FigureDesk& desk) {
                  .x_range = std::pair{0.0, 1.5}};
     Panel area{.title = "area fraction under the top disks, mean and spread over seeds",
                .y_label = "area fraction",
-               .x_range = std::pair{0.4, 0.6},
                .y_range = std::pair{0.6, 0.95},
-               .key = KeyPlace::bottom_right};
+               .key = KeyPlace::none};
     area.levels = {{0.80, "paper 0.80"}, {0.87, "soft spheres 0.870"}, {0.9069, "hexagonal 0.9069"}};
     FigureTable table{"Pouring, mean and spread over seeds 1 to 4",
                       {"engine", "area fraction", "energy / minimum", "settled after [s]", "moves rejected [%]",
                        "energy created / E0"},
                       {}};
     const Engines engines = at_hand(k_pouring_engines, desk.engines());
-    area.x_range = std::pair{0.0, static_cast<double>(engines.size()) + 1.0};
+    area.x_names = engines;
+    area.x_range = std::pair{0.4, static_cast<double>(engines.size()) + 1.0};
     int colour = 0;
     for (const std::string& engine : engines) {
         Pouring pouring = read_pouring(desk, engine, colour);

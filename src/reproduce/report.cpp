@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
@@ -23,7 +24,7 @@ body { font: 16px/1.5 "DejaVu Sans", Helvetica, Arial, sans-serif; color: #22262
 h1 { font-size: 1.7rem; line-height: 1.25; } h2 { font-size: 1.25rem; margin-top: 3rem; border-top: 1px solid #ccd; padding-top: 1.2rem; }
 table { border-collapse: collapse; font-size: .86rem; margin: 1rem 0; } caption { text-align: left; color: #556; padding: .3rem 0; white-space: nowrap; }
 th, td { text-align: left; padding: .22rem .7rem .22rem 0; border-bottom: 1px solid #e3e5ea; vertical-align: top; }
-th { font-weight: 600; } td.good { color: #1b7a4b; } td.off { color: #b3380c; }
+th { font-weight: 600; } td.good { color: #1b7a4b; } td.off { color: #b3380c; } td.whole { white-space: nowrap; }
 figure { margin: 1.2rem 0; } figure img { max-width: 100%; height: auto; } figcaption { font-size: .86rem; color: #556; }
 .verdict { font-weight: 600; } code { font-size: .9em; }
 )";
@@ -77,14 +78,19 @@ std::string band(const Finding& f) {
     return fmt::format("{:.4g} to {:.4g}", f.lowest, f.highest);
 }
 
+std::string measured(const Finding& f) {
+    return std::isfinite(f.measured) ? fmt::format("{:.4g} {}", f.measured, f.unit) : "none";
+}
+
 std::string findings_html(const std::vector<Finding>& findings) {
     std::string text = "<table><caption>What was measured, and what it is held to</caption>\n" +
                        row({"engine", "quantity", "measured", "agrees if", "because", "outcome"}, "th");
     for (const Finding& f : findings) {
         const std::string why = f.agrees() || f.why.empty() ? "" : " (" + f.why + ")";
         text += fmt::format(
-            "<tr><td>{}</td><td>{}</td><td>{:.4g} {}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td></tr>\n",
-            escaped(f.engine), escaped(f.quantity), f.measured, escaped(f.unit), band(f), escaped(f.against),
+            "<tr><td class=\"whole\">{}</td><td>{}</td><td>{}</td><td class=\"whole\">{}</td><td>{}</td><td "
+            "class=\"{}\">{}</td></tr>\n",
+            escaped(f.engine), escaped(f.quantity), escaped(measured(f)), band(f), escaped(f.against),
             f.agrees() ? "good" : "off", escaped(outcome(f) + why));
     }
     return text + "</table>\n";

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "src/core/error.h"
+#include "src/plot/gnuplot_script.h"
 #include "src/plot/plot.h"
 
 namespace polargrain {
@@ -15,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class Plots : public ::testing::Test {
@@ -130,6 +132,27 @@ TEST_F(Plots, DrawErrorBars) {
     plot.panels[0].series[0] = with_errors;
     write_plot(plot, stem());
     EXPECT_GT(Pixels(file(".png")).count(0x00, 0x72, 0xb2), before + 15);
+}
+
+TEST_F(Plots, WriteNamesInsteadOfNumbersOnThatPanelAlone) {
+    Plot plot = one_panel(line({1.0, 2.0}, {1.0, 2.0}));
+    plot.panels.push_back(plot.panels.front());
+    plot.panels.front().x_names = {"one engine", "another's"};
+    write_plot(plot, stem());
+    const std::string script = gnuplot_script(plot, file(".png"), file(".pdf"));
+    const auto names = script.find("set xtics nomirror out ('one engine' 1, 'another''s' 2)");
+    ASSERT_NE(names, std::string::npos) << script;
+    EXPECT_NE(script.find("set xtics autofreq", names), std::string::npos) << "the second panel counts again";
+}
+
+TEST_F(Plots, DoNotGoBelowZeroWhereNothingLiesThere) {
+    const auto script = [&](std::vector<double> y) {
+        return gnuplot_script(one_panel(line({4.0, 5.0, 6.0}, std::move(y))), file(".png"), file(".pdf"));
+    };
+    EXPECT_THAT(script({9.0, 2.0, 0.0}), HasSubstr("set yrange [0:*]"));
+    EXPECT_THAT(script({9.0, 2.0, -0.1}), HasSubstr("set yrange [*:*]"));
+    EXPECT_THAT(script({9.0, 8.0, 7.0}), HasSubstr("set yrange [*:*]")) << "far from zero, zero is of no interest";
+    EXPECT_THAT(script({9.0, 2.0, 0.0}), Not(HasSubstr("set xrange [0:*]")));
 }
 
 TEST_F(Plots, RefuseColumnsThatDiffer) {

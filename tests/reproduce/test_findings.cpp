@@ -91,7 +91,7 @@ TEST_F(Reports, StandAloneAndKeepFiguresDrawnEarlier) {
     report.add(find_figures({"fig7"})[0], first);
     report.write("contact");
     FigureResult second;
-    second.findings = {finding(1.0, 1.0, 2.0)};
+    second.findings = {finding(1.0, 1.0, 2.0), finding(std::nan(""), 1.0, 2.0)};
     report.add(find_figures({"fig9"})[0], second);
     report.write("contact");
     const std::string page = read("report.html");
@@ -101,6 +101,7 @@ TEST_F(Reports, StandAloneAndKeepFiguresDrawnEarlier) {
     EXPECT_THAT(page, HasSubstr("contact: differs (0 of 1)"));
     EXPECT_THAT(page, HasSubstr("(friction)")) << "why it differs";
     EXPECT_THAT(page, HasSubstr("id=\"fig9\""));
+    EXPECT_THAT(page, HasSubstr("<td>none</td>")) << "what could not be measured";
     for (const char* outside : {"src=\"http", "<script", "<link", "@import", "url("}) {
         EXPECT_THAT(page, Not(HasSubstr(outside)));
     }
