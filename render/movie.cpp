@@ -119,7 +119,8 @@ private:
 
 bool can_make_movies() { return program_on_path(k_encoder); }
 
-Movie::Movie(fs::path path, const FrameStyle& style, double frames_per_second) : path_(std::move(path)), style_(style) {
+Movie::Movie(fs::path path, FrameStyle style, double frames_per_second)
+    : path_(std::move(path)), style_(std::move(style)) {
     require(can_make_movies(),
             "{}: a movie needs the program ffmpeg, which is not installed (Debian: apt-get install ffmpeg); or draw "
             "frames with --format png",

@@ -21,7 +21,7 @@ bool can_make_movies();
 class Movie {
 public:
     /// Size from the style; frames_per_second of the movie.
-    Movie(std::filesystem::path path, const FrameStyle& style, double frames_per_second);
+    Movie(std::filesystem::path path, FrameStyle style, double frames_per_second);
     ~Movie();
     Movie(const Movie&) = delete;
     Movie& operator=(const Movie&) = delete;

@@ -1,6 +1,7 @@
 #include "src/engines/contact/footing.h"
 
 #include <cmath>
+#include <utility>
 
 namespace polargrain {
 
@@ -11,10 +12,10 @@ constexpr double k_no_slip = 1e-9;
 
 }  // namespace
 
-Footing::Footing(const Vec2& velocity) : velocity_(velocity) {}
+Footing::Footing(Vec2 velocity) : velocity_(std::move(velocity)) {}
 
-Footing::Footing(const SolverBody& body, const Vec2& centre)
-    : centre_(centre),
+Footing::Footing(const SolverBody& body, Vec2 centre)
+    : centre_(std::move(centre)),
       velocity_(body.velocity),
       spin_(body.spin),
       inverse_mass_(body.inverse_mass),

@@ -22,10 +22,10 @@ enum class Grip : std::uint8_t {
 class Footing {
 public:
     /// A wall, by its velocity at the contact point [m/s].
-    explicit Footing(const Vec2& velocity);
+    explicit Footing(Vec2 velocity);
 
     /// A free grain.
-    Footing(const SolverBody& body, const Vec2& centre);
+    Footing(const SolverBody& body, Vec2 centre);
 
     /// A grain that stands on the wall contact `foot`. What little speed the foot has is stopped first, where it holds.
     Footing(const SolverBody& body, const Vec2& centre, const GapContact& foot, Grip grip);

@@ -50,7 +50,7 @@ private:
 
     void index_by_grain(const std::vector<GapContact>& contacts);
     bool strikes(const GapContact& c, const std::vector<SolverBody>& bodies, double h, double& speed) const;
-    double time_to_meeting(const GapContact& c, double speed, const std::vector<GapContact>& contacts, double h) const;
+    double time_to_wall(const GapContact& c, double speed, const std::vector<GapContact>& contacts, double h) const;
     void strike_in_flight(GapContact& c, double speed, double flight, std::vector<GapContact>& contacts,
                           std::vector<SolverBody>& bodies, PoseSet& trial, StepReport& report);
     void strike(GapContact& c, double speed, std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies,

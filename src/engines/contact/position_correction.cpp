@@ -24,39 +24,12 @@ bool PositionCorrection::too_near(const GapContact& c, const std::vector<SolverB
 double PositionCorrection::correct(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
                                    const Vec2& gravity, const Pace& pace, double budget, PoseSet& trial) {
     if (budget <= 0.0 || !needed(contacts, bodies, pace)) return 0.0;
-    near_.clear();
-    too_near_.clear();
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (contacts[k].active && contacts[k].gap < k_look * contacts[k].resting) {
-            near_.push_back(static_cast<std::int32_t>(k));
-            too_near_.push_back(too_near(contacts[k], bodies, pace) ? 1 : 0);
-        }
-    }
-
+    collect_rows(contacts, bodies, pace);
     shift_.assign(bodies.size(), Shift{});
-    push_.assign(near_.size(), 0.0);
     for (int s = 0; s < k_sweeps; ++s) {
-        for (std::size_t m = 0; m < near_.size(); ++m) {
-            const std::size_t n = s % 2 == 0 ? m : near_.size() - 1 - m;
-            const GapContact& c = contacts[static_cast<std::size_t>(near_[n])];
-            const bool near = too_near_[n] != 0;
-            const double aim = near ? c.gap + k_part * (c.resting - c.gap) : std::min(c.gap, k_trigger * c.resting);
-            Shift& i = shift_[Grains::at(c.i)];
-            double gap = c.gap + c.normal.dot(i.way) + c.arm_ni * i.turn;
-            if (!is_wall(c.j)) {
-                const Shift& j = shift_[Grains::at(c.j)];
-                gap -= c.normal.dot(j.way) + c.arm_nj * j.turn;
-            }
-            const double push = std::max(0.0, push_[n] + c.mass_n * (aim - gap));
-            const double change = push - push_[n];
-            push_[n] = push;
-            if (change == 0.0) continue;
-            i.way += bodies[Grains::at(c.i)].inverse_mass * change * c.normal;
-            i.turn += bodies[Grains::at(c.i)].inverse_inertia * change * c.arm_ni;
-            if (is_wall(c.j)) continue;
-            Shift& j = shift_[Grains::at(c.j)];
-            j.way -= bodies[Grains::at(c.j)].inverse_mass * change * c.normal;
-            j.turn -= bodies[Grains::at(c.j)].inverse_inertia * change * c.arm_nj;
+        for (std::size_t m = 0; m < rows_.size(); ++m) {
+            Row& row = rows_[s % 2 == 0 ? m : rows_.size() - 1 - m];
+            open(row, contacts[static_cast<std::size_t>(row.contact)], bodies);
         }
     }
     double lift = 0.0;
@@ -67,6 +40,37 @@ double PositionCorrection::correct(const std::vector<GapContact>& contacts, cons
         trial.angle[k] += part * shift_[k].turn;
     }
     return part * lift;
+}
+
+void PositionCorrection::collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
+                                      const Pace& pace) {
+    rows_.clear();
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const GapContact& c = contacts[k];
+        if (!c.active || c.gap >= k_look * c.resting) continue;
+        const double aim =
+            too_near(c, bodies, pace) ? c.gap + k_part * (c.resting - c.gap) : std::min(c.gap, k_trigger * c.resting);
+        rows_.push_back({static_cast<std::int32_t>(k), aim, 0.0});
+    }
+}
+
+void PositionCorrection::open(Row& row, const GapContact& c, const std::vector<SolverBody>& bodies) {
+    Shift& i = shift_[Grains::at(c.i)];
+    double gap = c.gap + c.normal.dot(i.way) + c.arm_ni * i.turn;
+    if (!is_wall(c.j)) {
+        const Shift& j = shift_[Grains::at(c.j)];
+        gap -= c.normal.dot(j.way) + c.arm_nj * j.turn;
+    }
+    const double push = std::max(0.0, row.push + c.mass_n * (row.aim - gap));
+    const double change = push - row.push;
+    row.push = push;
+    if (change == 0.0) return;
+    i.way += bodies[Grains::at(c.i)].inverse_mass * change * c.normal;
+    i.turn += bodies[Grains::at(c.i)].inverse_inertia * change * c.arm_ni;
+    if (is_wall(c.j)) return;
+    Shift& j = shift_[Grains::at(c.j)];
+    j.way -= bodies[Grains::at(c.j)].inverse_mass * change * c.normal;
+    j.turn -= bodies[Grains::at(c.j)].inverse_inertia * change * c.arm_nj;
 }
 
 }  // namespace polargrain

@@ -10,15 +10,16 @@ namespace polargrain {
 /// Moves trial poses apart a little where predicted gaps have become too small; velocities are not touched.
 ///
 /// A unilateral, frictionless projected Gauss-Seidel on displacements, weighted by mass and inertia: gaps below
-/// k_trigger of the resting gap are opened by k_part of what they lack; others may close to k_trigger of it, no
-/// farther. What it lifts costs energy: the whole correction is scaled so that the potential energy it adds does not
-/// exceed `budget`, what the step has dissipated.
+/// their trigger are opened by k_part of what they lack; others may close to k_trigger of the resting gap, no farther.
+/// Pairs at rest have a lower trigger: they lose no gap, and lifting them would only let them fall again. What it lifts
+/// costs energy: the whole correction is scaled so that the potential energy it adds does not exceed `budget`, what the
+/// step has dissipated.
 class PositionCorrection {
 public:
-    static constexpr double k_trigger = 0.7;
-    static constexpr double k_still = 0.2;
-    static constexpr double k_still_smooth = 0.5;
-    static constexpr double k_stir = 0.1;
+    static constexpr double k_trigger = 0.7;       ///< resting gaps, for pairs that move
+    static constexpr double k_still = 0.2;         ///< the same for pairs that do not
+    static constexpr double k_still_smooth = 0.5;  ///< the same where there is no friction either
+    static constexpr double k_stir = 0.1;          ///< resting gaps a step: what counts as moving
     static constexpr double k_part = 0.3;
     static constexpr double k_look = 1.5;  ///< gaps beyond this many resting gaps take no part
     static constexpr int k_sweeps = 6;
@@ -44,10 +45,17 @@ private:
         Vec2 way = Vec2::Zero();
         double turn = 0.0;
     };
+    struct Row {
+        std::int32_t contact;
+        double aim;   ///< gap to be opened to, or not to be closed beyond [m]
+        double push;  ///< [kg], impulse of displacement per metre of depth
+    };
+
+    void collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Pace& pace);
+    void open(Row& row, const GapContact& c, const std::vector<SolverBody>& bodies);
+
     std::vector<Shift> shift_;
-    std::vector<std::int32_t> near_;
-    std::vector<char> too_near_;
-    std::vector<double> push_;
+    std::vector<Row> rows_;
 };
 
 }  // namespace polargrain
