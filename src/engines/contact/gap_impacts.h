@@ -18,7 +18,7 @@ class GapImpacts {
 public:
     static constexpr double k_impact = 3.0;      ///< closing speeds above this many g dt are impacts
     static constexpr int k_most_impacts = 20;    ///< per contact and sub-step
-    static constexpr double k_foot_gap = 2.0;    ///< feet are at most this many resting gaps from the wall
+    static constexpr double k_foot_gap = 2.0;    ///< feet rest at most this many resting gaps from the wall
     static constexpr double k_foot_speed = 0.1;  ///< of the closing speed: feet that move faster hold nothing
 
     static constexpr double k_alone = 8.0;  ///< ways of the closing speed in a sub-step; nothing else may be nearer
