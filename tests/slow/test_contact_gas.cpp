@@ -112,12 +112,8 @@ TEST_P(ElasticGas, HasThePressureAndTheCollisionRateOfHardDisks) {
 
 INSTANTIATE_TEST_SUITE_P(AreaFractions, ElasticGas, ::testing::Values(0.1, 0.3, 0.5));
 
-class CoolingGas : public ::testing::TestWithParam<double> {};
-
-TEST_P(CoolingGas, FollowsHaffsLaw) {
-    // T = T0 exp(-(1 - e^2) C / 2), C collisions per grain; smooth elastic walls take nothing.
-    const double e = GetParam();
-    const std::uint64_t seed = 2;
+/// T / T0 over Haff's law after 2, 4, 6 and 8 collisions a grain, for 900 disks at an area fraction of 0.3.
+std::vector<double> temperature_over_law(double e, std::uint64_t seed) {
     // Started from an elastic gas, because the lattice and the draw of velocities forget themselves as slowly as it
     // cools.
     Running elastic(make_contact, gas(900, 0.3, 1.0, seed));
@@ -126,25 +122,38 @@ TEST_P(CoolingGas, FollowsHaffsLaw) {
     scene.grains = elastic.world.grains;
     Running sim(make_contact, scene);
     sim.report.record_impacts = true;
-    const double dt = 2e-4;
     const double start = temperature(sim.world.grains);
     std::int64_t pairs = 0;
     const auto per_grain = [&] { return 2.0 * static_cast<double>(pairs) / sim.world.grains.size(); };
-    double worst = 0.0;
-    double next = 2.0;
-    while (per_grain() < 8.0) {
-        sim.step(dt);
+    std::vector<double> ratios;
+    while (ratios.size() < 4 && sim.world.time < 10.0) {
+        sim.step(2e-4);
         for (const ImpactRecord& r : sim.report.impact_records) pairs += is_wall(r.j) ? 0 : 1;
-        if (per_grain() < next) continue;
+        if (per_grain() < 2.0 * static_cast<double>(ratios.size() + 1)) continue;
         const double exact = std::exp(-0.5 * (1.0 - e * e) * per_grain());
-        const double measured = temperature(sim.world.grains) / start;
-        fmt::print("seed {} e {}: after {:.2f} collisions a grain T / T0 {:.4f}, exact {:.4f} ({:+.2f} %)\n", seed, e,
-                   per_grain(), measured, exact, 100.0 * (measured / exact - 1.0));
-        worst = std::max(worst, std::abs(measured / exact - 1.0));
-        next += 2.0;
-        ASSERT_LT(sim.world.time, 10.0);
+        ratios.push_back(temperature(sim.world.grains) / start / exact);
     }
-    EXPECT_LT(worst, 0.02);
+    return ratios;
+}
+
+class CoolingGas : public ::testing::TestWithParam<double> {};
+
+TEST_P(CoolingGas, FollowsHaffsLaw) {
+    // T = T0 exp(-(1 - e^2) C / 2), C collisions per grain; smooth elastic walls take nothing. One gas of 3600
+    // collisions scatters by more than a percent, so the mean over eight is held to the law.
+    const double e = GetParam();
+    const int seeds = 8;
+    std::vector<double> mean(4, 0.0);
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const std::vector<double> ratios = temperature_over_law(e, seed);
+        ASSERT_EQ(ratios.size(), mean.size()) << "seed " << seed;
+        for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += ratios[k] / seeds;
+    }
+    for (std::size_t k = 0; k < mean.size(); ++k) {
+        fmt::print("e {}: after {} collisions a grain T / T0 off by {:+.2f} %\n", e, 2 * (k + 1),
+                   100.0 * (mean[k] - 1.0));
+        EXPECT_NEAR(mean[k], 1.0, 0.02);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Restitutions, CoolingGas, ::testing::Values(0.95, 0.9));
