@@ -118,7 +118,7 @@ std::vector<std::string> engines_of(const SweepFile& file) {
     const toml::node* node = file.root().get("engines");
     if (node == nullptr) return engines;
     for (const toml::node& value : *filled_array(file, "engines", *node)) {
-        if (!value.is_string()) file.fail(value.source(), "engines: must be names, as in [\"contact\", \"dem\"]");
+        if (!value.is_string()) file.fail(value.source(), R"(engines: must be names, as in ["contact", "dem"])");
         engines.push_back(value.value_or(std::string()));
     }
     return engines;

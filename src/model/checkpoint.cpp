@@ -32,9 +32,19 @@ const std::vector<double>& Checkpoint::reals(const std::string& key) const { ret
 
 const std::vector<std::int64_t>& Checkpoint::integers(const std::string& key) const { return entry(integers_, key); }
 
+namespace {
+
+std::string joined(std::string prefix, const std::string& key) {
+    prefix += '/';
+    prefix += key;
+    return prefix;
+}
+
+}  // namespace
+
 void Checkpoint::put_part(const std::string& prefix, const Checkpoint& part) {
-    for (const auto& [key, values] : part.reals_) reals_[prefix + "/" + key] = values;
-    for (const auto& [key, values] : part.integers_) integers_[prefix + "/" + key] = values;
+    for (const auto& [key, values] : part.reals_) reals_[joined(prefix, key)] = values;
+    for (const auto& [key, values] : part.integers_) integers_[joined(prefix, key)] = values;
 }
 
 Checkpoint Checkpoint::part(const std::string& prefix) const {

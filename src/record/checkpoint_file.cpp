@@ -89,7 +89,7 @@ void check_file(const fs::path& path) {
 void read_arrays(hid_t file, const std::string& group, Checkpoint& into) {
     const Handle here = h5::open_group(file, group.empty() ? "/" : group);
     for (const std::string& name : h5::names_in(here.id())) {
-        const std::string key = group.empty() ? name : group + "/" + name;
+        const std::string key = group.empty() ? name : fmt::format("{}/{}", group, name);
         if (h5::is_group(here.id(), name)) {
             read_arrays(file, key, into);
         } else if (h5::is_real(here.id(), name)) {

@@ -31,8 +31,9 @@ Scene crowded_scene() {
     }
     scene.walls.push_back({"box", 0, {{0.0, 0.4}, {0.0, 0.0}, {0.1, 0.0}, {0.1, 0.4}}, {}, std::nullopt});
     for (int k = 0; k < 24; ++k) {
+        const int row = k / 3;
         scene.add(Grain{.shape = k % 4,
-                        .position = {0.02 + 0.03 * (k % 3), 0.02 + 0.03 * (k / 3)},
+                        .position = {0.02 + 0.03 * (k % 3), 0.02 + 0.03 * row},
                         .angle = 0.3 * k,
                         .velocity = {0.2 * ((k % 5) - 2), 0.0},
                         .spin = 3.0 * ((k % 3) - 1)});

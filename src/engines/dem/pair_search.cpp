@@ -29,10 +29,8 @@ void find_pairs_directly(std::span<const BoundingCircle> circles, std::vector<Gr
     }
 }
 
-void NbsSearch::find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs) {
-    pairs.clear();
+std::size_t NbsSearch::enter_rows(std::span<const BoundingCircle> circles) {
     const std::size_t n = circles.size();
-    if (n < 2) return;
     Vec2 low = circles[0].centre;
     Vec2 high = low;
     double largest = 0.0;
@@ -64,7 +62,14 @@ void NbsSearch::find_pairs(std::span<const BoundingCircle> circles, std::vector<
         next_in_row_[k] = head;
         head = static_cast<std::int32_t>(k);
     }
-    for (std::size_t k = 0; k < n; ++k) {
+    return columns;
+}
+
+void NbsSearch::find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs) {
+    pairs.clear();
+    if (circles.size() < 2) return;
+    const std::size_t columns = enter_rows(circles);
+    for (std::size_t k = 0; k < circles.size(); ++k) {
         const auto row = static_cast<std::size_t>(row_[k]);
         if (row_done_[row] != 0) continue;
         row_done_[row] = 1;
@@ -118,6 +123,17 @@ std::uint32_t CgridSearch::bucket_of(std::int64_t x, std::int64_t y) const {
     return static_cast<std::uint32_t>(h >> 32) & (static_cast<std::uint32_t>(start_.size()) - 2);
 }
 
+std::uint32_t CgridSearch::sort_by_bucket() {
+    const std::uint32_t buckets = std::bit_ceil(static_cast<std::uint32_t>(2 * entries_.size()));
+    start_.assign(buckets + 1, 0);
+    for (const Entry& e : entries_) ++start_[bucket_of(e.x, e.y) + 1];
+    for (std::uint32_t b = 0; b < buckets; ++b) start_[b + 1] += start_[b];
+    fill_.assign(start_.begin(), start_.end() - 1);
+    sorted_.resize(entries_.size());
+    for (const Entry& e : entries_) sorted_[static_cast<std::size_t>(fill_[bucket_of(e.x, e.y)]++)] = e;
+    return buckets;
+}
+
 void CgridSearch::find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs) {
     pairs.clear();
     if (circles.size() < 2) return;
@@ -134,13 +150,7 @@ void CgridSearch::find_pairs(std::span<const BoundingCircle> circles, std::vecto
             }
         }
     }
-    const std::uint32_t buckets = std::bit_ceil(static_cast<std::uint32_t>(2 * entries_.size()));
-    start_.assign(buckets + 1, 0);
-    for (const Entry& e : entries_) ++start_[bucket_of(e.x, e.y) + 1];
-    for (std::uint32_t b = 0; b < buckets; ++b) start_[b + 1] += start_[b];
-    fill_.assign(start_.begin(), start_.end() - 1);
-    sorted_.resize(entries_.size());
-    for (const Entry& e : entries_) sorted_[static_cast<std::size_t>(fill_[bucket_of(e.x, e.y)]++)] = e;
+    const std::uint32_t buckets = sort_by_bucket();
     for (std::uint32_t b = 0; b < buckets; ++b) {
         for (std::int32_t i = start_[b]; i < start_[b + 1]; ++i) {
             const Entry& first = sorted_[static_cast<std::size_t>(i)];

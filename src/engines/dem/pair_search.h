@@ -21,6 +21,8 @@ public:
     void find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs);
 
 private:
+    /// Sorts circles into cells and rows; returns the number of columns.
+    std::size_t enter_rows(std::span<const BoundingCircle> circles);
     void enter_columns(std::size_t row, int layer);
     void leave_columns(std::size_t row, int layer);
     void meet(std::span<const BoundingCircle> circles, std::int32_t self, std::int32_t other,
@@ -45,6 +47,8 @@ private:
         std::int64_t x, y;
         GrainIndex circle;
     };
+    /// Brings entries that share a bucket together; returns the number of buckets.
+    std::uint32_t sort_by_bucket();
     std::uint32_t bucket_of(std::int64_t x, std::int64_t y) const;
 
     std::vector<Entry> entries_, sorted_;
