@@ -162,10 +162,10 @@ void GapImpacts::strike(GapContact& c, double speed, std::vector<GapContact>& co
 
 void GapImpacts::add_stances(BodyIndex grain, double speed, std::vector<GapContact>& contacts,
                              const std::vector<SolverBody>& bodies, std::vector<Stance>& stances) const {
+    if (scene_.gravity == Vec2::Zero()) return;  // nothing makes it stand anywhere
     for (auto n = first_of_grain_[at(grain)]; n < first_of_grain_[at(grain) + 1]; ++n) {
         GapContact& c = contacts[at(of_grain_[at(n)])];
         if (!is_wall(c.j) || !c.active || c.gap > k_foot_gap * c.resting) continue;
-        if (scene_.gravity.dot(c.normal) >= 0.0) continue;  // nothing makes it stand there
         if (std::hypot(normal_speed(c, bodies), tangent_speed(c, bodies)) > k_foot_speed * speed) continue;
         for (const Grip grip : {Grip::holds, Grip::slips_back, Grip::slips_ahead}) stances.push_back({&c, grip});
     }
