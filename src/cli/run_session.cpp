@@ -254,6 +254,7 @@ double time_reached(const LabelledCheckpoint& saved) {
 
 int run_session(const RunSession& session, PreparedRun& run, const LabelledCheckpoint* saved) {
     const FolderLock lock(session.folder);
+    watch_interrupts();  // from the moment there is something to resume
     if (saved != nullptr) check_fit(session, run, *saved);
     std::error_code ignored;
     fs::remove(session.folder / "summary.json", ignored);  // a folder that has one has been brought to an end

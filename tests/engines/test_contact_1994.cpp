@@ -351,23 +351,7 @@ TEST(Contact1994, MirroredSceneGivesTheMirroredRun) {
     // Disks only, and few: chaos would amplify the round-off of mirrored sums within a second.
     Scene scene = testing::pour(PourShape::rough, 12, 10, 0.5, 0.3, 5);
     Running sim(scene);
-    Scene mirror = scene;
-    for (auto& wall : mirror.walls) {
-        for (Vec2& p : wall.points) p.x() = -p.x();
-        std::reverse(wall.points.begin(), wall.points.end());
-    }
-    for (auto& shape : mirror.shapes) {
-        const auto& polygon = std::get<PolarPolygon>(*shape);
-        std::vector<Vec2> vertices = polygon.vertices();
-        for (Vec2& v : vertices) v.x() = -v.x();
-        std::reverse(vertices.begin(), vertices.end());
-        shape = std::make_shared<const Shape>(
-            PolarPolygon(polygon.name(), vertices, {polygon.area(), Vec2::Zero(), polygon.polar_moment()}));
-    }
-    for (auto* values : {&mirror.grains.x, &mirror.grains.angle, &mirror.grains.vx, &mirror.grains.spin}) {
-        for (double& v : *values) v = -v;
-    }
-    Running reflected(mirror);
+    Running reflected(testing::mirrored(scene));
     sim.run(0.12, 5e-4, [] {});
     reflected.run(0.12, 5e-4, [] {});
     for (std::size_t k = 0; k < 12; ++k) {

@@ -107,29 +107,10 @@ TEST(Checkpoint, OfAWorldIsNotEnoughWithoutTheEngine) {
     EXPECT_NE(state_hash(whole.world), state_hash(bare.world));
 }
 
-Scene mirrored(Scene scene) {
-    for (auto& wall : scene.walls) {
-        for (Vec2& p : wall.points) p.x() = -p.x();
-        std::reverse(wall.points.begin(), wall.points.end());
-    }
-    for (auto& shape : scene.shapes) {
-        const auto& polygon = std::get<PolarPolygon>(*shape);
-        std::vector<Vec2> vertices = polygon.vertices();
-        for (Vec2& v : vertices) v.x() = -v.x();
-        std::reverse(vertices.begin(), vertices.end());
-        shape = std::make_shared<const Shape>(
-            PolarPolygon(polygon.name(), vertices, {polygon.area(), Vec2::Zero(), polygon.polar_moment()}));
-    }
-    for (auto* values : {&scene.grains.x, &scene.grains.angle, &scene.grains.vx, &scene.grains.spin}) {
-        for (double& v : *values) v = -v;
-    }
-    return scene;
-}
-
 /// Largest difference between a run and the mirrored run of the mirrored scene [m].
 double mirror_error(const Scene& scene, double duration, double dt) {
     Running sim(make_contact, scene);
-    Running reflected(make_contact, mirrored(scene));
+    Running reflected(make_contact, testing::mirrored(scene));
     sim.run(duration, dt);
     reflected.run(duration, dt);
     EXPECT_GT(sim.impacts, 0);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/engines/contact/restitution.h"
+#include "src/model/contact_law.h"
 #include "tests/support/scenes.h"
 
 namespace polargrain {
@@ -24,22 +24,22 @@ Scene two_materials(Restitution first, Restitution second) {
 
 TEST(ImpactRestitution, OfTwoGrainsIsCombinedByMass) {  // [HN94, eq. 46]
     const Scene scene = two_materials({0.5, 0.0}, {0.9, 0.0});
-    EXPECT_NEAR(impact_restitution(scene, 0, 0, 1), std::sqrt((3.0 * 0.25 + 1.0 * 0.81) / 4.0), 1e-15);
-    EXPECT_EQ(impact_restitution(scene, 0, wall_body(0), 1), 0.9);
+    EXPECT_NEAR(drawn_restitution(scene, 0, 0, 1), std::sqrt((3.0 * 0.25 + 1.0 * 0.81) / 4.0), 1e-15);
+    EXPECT_EQ(drawn_restitution(scene, 0, wall_body(0), 1), 0.9);
 }
 
 TEST(ImpactRestitution, OfAPairOverridesTheMaterials) {
     Scene scene = two_materials({0.5, 0.0}, {0.9, 0.0});
     scene.materials.set_pair(1, 0, 0.25, Restitution{0.1, 0.0});
-    EXPECT_EQ(impact_restitution(scene, 0, 0, 1), 0.1);
-    EXPECT_EQ(pair_friction(scene, 0, 1), 0.25);
-    EXPECT_EQ(pair_friction(scene, wall_body(0), 1), 0.25) << "the wall is of the light material";
-    EXPECT_NEAR(pair_friction(scene, wall_body(0), 0), 0.4, 1e-15);
+    EXPECT_EQ(drawn_restitution(scene, 0, 0, 1), 0.1);
+    EXPECT_EQ(pair_law(scene, 0, 1).friction, 0.25);
+    EXPECT_EQ(pair_law(scene, wall_body(0), 1).friction, 0.25) << "the wall is of the light material";
+    EXPECT_NEAR(pair_law(scene, wall_body(0), 0).friction, 0.4, 1e-15);
 }
 
 TEST(PairFriction, IsTheGeometricMeanWhereTheTableIsSilent) {
     const Scene scene = two_materials({0.5, 0.0}, {0.9, 0.0});
-    EXPECT_NEAR(pair_friction(scene, 0, 1), 0.6, 1e-15);  // of 0.4 and 0.9
+    EXPECT_NEAR(pair_law(scene, 0, 1).friction, 0.6, 1e-15);  // of 0.4 and 0.9
 }
 
 TEST(ImpactRestitution, IsGaussianTruncatedToZeroAndOne) {
@@ -49,10 +49,10 @@ TEST(ImpactRestitution, IsGaussianTruncatedToZeroAndOne) {
     double largest = 0.0;
     constexpr int n = 20000;
     for (int step = 0; step < n; ++step) {
-        const double e = impact_restitution(scene, step, wall_body(0), 0);
+        const double e = drawn_restitution(scene, step, wall_body(0), 0);
         sum += e;
         squares += (e - 0.5) * (e - 0.5);
-        const double near_one = impact_restitution(scene, step, wall_body(0), 1);
+        const double near_one = drawn_restitution(scene, step, wall_body(0), 1);
         ASSERT_GE(near_one, 0.0);
         ASSERT_LE(near_one, 1.0);
         largest = std::max(largest, near_one);
@@ -64,12 +64,12 @@ TEST(ImpactRestitution, IsGaussianTruncatedToZeroAndOne) {
 
 TEST(ImpactRestitution, DependsOnSeedStepAndPairOnly) {
     Scene scene = two_materials({0.5, 0.1}, {0.5, 0.1});
-    const double first = impact_restitution(scene, 7, 0, 1);
-    EXPECT_NE(impact_restitution(scene, 8, 0, 1), first);
-    EXPECT_NE(impact_restitution(scene, 7, wall_body(0), 1), first);
-    EXPECT_EQ(impact_restitution(scene, 7, 0, 1), first);
+    const double first = drawn_restitution(scene, 7, 0, 1);
+    EXPECT_NE(drawn_restitution(scene, 8, 0, 1), first);
+    EXPECT_NE(drawn_restitution(scene, 7, wall_body(0), 1), first);
+    EXPECT_EQ(drawn_restitution(scene, 7, 0, 1), first);
     scene.seed = 2;
-    EXPECT_NE(impact_restitution(scene, 7, 0, 1), first);
+    EXPECT_NE(drawn_restitution(scene, 7, 0, 1), first);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "shapes/library.h"
 #include "src/engines/contact/contact_engine.h"
 #include "tests/support/running.h"
 #include "tests/support/scenes.h"
@@ -80,19 +79,8 @@ TEST_P(FiveHundred, ComeToRestWithinTwoSeconds) {
     EXPECT_LT(sim.restlessness(k_d), 1e-9);
 }
 
-std::vector<std::string> shipped_outlines() {
-    std::vector<std::string> names;
-    for (const OutlineFile& file : shape_library()) names.push_back(file.name);
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Library, FiveHundred, ::testing::ValuesIn(shipped_outlines()), [](const auto& c) {
-    std::string name = c.param;
-    for (char& letter : name) {
-        if (letter == '-') letter = '_';
-    }
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Library, FiveHundred, ::testing::ValuesIn(testing::shipped_outlines()),
+                         [](const auto& c) { return testing::test_name(c.param); });
 
 }  // namespace
 }  // namespace polargrain

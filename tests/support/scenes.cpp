@@ -1,5 +1,6 @@
 #include "tests/support/scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shapes/library.h"
@@ -103,6 +104,36 @@ Scene pour_outline(const std::string& outline, int n, int across, std::uint64_t 
     for (int k = 0; k < n; ++k) {
         const Vec2 place{(1.05 + 1.1 * (k % across)) * d, (0.6 + 1.05 * (k / across)) * d};
         scene.add(Grain{shape, 0, place, random.uniform(-k_pi, k_pi), {0.1 * random.normal(), 0.0}});
+    }
+    return scene;
+}
+
+std::vector<std::string> shipped_outlines() {
+    std::vector<std::string> names;
+    for (const OutlineFile& file : shape_library()) names.push_back(file.name);
+    return names;
+}
+
+std::string test_name(std::string name) {
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+Scene mirrored(Scene scene) {
+    for (auto& wall : scene.walls) {
+        for (Vec2& p : wall.points) p.x() = -p.x();
+        std::reverse(wall.points.begin(), wall.points.end());
+    }
+    for (auto& shape : scene.shapes) {
+        const auto& polygon = std::get<PolarPolygon>(*shape);
+        std::vector<Vec2> vertices = polygon.vertices();
+        for (Vec2& v : vertices) v.x() = -v.x();
+        std::reverse(vertices.begin(), vertices.end());
+        shape = std::make_shared<const Shape>(
+            PolarPolygon(polygon.name(), vertices, {polygon.area(), Vec2::Zero(), polygon.polar_moment()}));
+    }
+    for (auto* values : {&scene.grains.x, &scene.grains.angle, &scene.grains.vx, &scene.grains.spin}) {
+        for (double& v : *values) v = -v;
     }
     return scene;
 }

@@ -35,6 +35,15 @@ Scene pour(PourShape shape, int n, std::uint64_t seed, double restitution, doubl
 /// n grains of one shipped outline, scaled to an outer radius of 10 mm, in rows of `across` above a box a little wider.
 Scene pour_outline(const std::string& outline, int n, int across, std::uint64_t seed);
 
+/// Names of the outlines in the library.
+std::vector<std::string> shipped_outlines();
+
+/// A name as GoogleTest takes it: letters, digits and underscores.
+std::string test_name(std::string name);
+
+/// The scene seen in a mirror that swaps left and right; polygons only.
+Scene mirrored(Scene scene);
+
 /// Number of pairs of grains, and of grains and wall pieces, that overlap by more than `tolerance` [m]; found without
 /// any of the program's own detection: outlines as points, segments against segments and winding numbers.
 int count_overlaps(const Scene& scene, const Grains& grains, double time, double tolerance);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/engines/contact/restitution.h"
 #include "src/engines/contact/wall_pieces.h"
+#include "src/model/contact_law.h"
 
 namespace polargrain {
 
@@ -63,8 +63,8 @@ void ContactStage::prepare(const std::vector<RecordedContact>& contacts, World& 
     for (const RecordedContact& c : contacts) {
         const ContactFrame frame = contact_frame(c.normal, c.point - c.centre_b, inertia_of(c.b, world.grains),
                                                  c.point - c.centre_a, inertia_of(c.a, world.grains));
-        prepared_.push_back({frame, pair_friction(scene_, c.a, c.b), impact_restitution(scene_, world.step, c.a, c.b),
-                             0, 0, Vec2::Zero()});
+        prepared_.push_back({frame, pair_law(scene_, c.a, c.b).friction,
+                             drawn_restitution(scene_, world.step, c.a, c.b), 0, 0, Vec2::Zero()});
         if (!is_wall(c.a)) ++first_of_grain_[Grains::at(c.a) + 1];
         ++first_of_grain_[Grains::at(c.b) + 1];
     }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/engines/contact/restitution.h"
-
 namespace polargrain {
 
 namespace {

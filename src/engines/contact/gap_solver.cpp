@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "src/engines/contact/gap_motion.h"
-#include "src/engines/contact/restitution.h"
 #include "src/engines/contact/wall_pieces.h"
+#include "src/model/contact_law.h"
 
 namespace polargrain {
 
@@ -65,8 +65,8 @@ void GapSolver::prepare_arms(GapContact& c, const std::vector<SolverBody>& bodie
 
 void GapSolver::prepare_laws(std::vector<GapContact>& contacts, std::int64_t step) const {
     for (GapContact& c : contacts) {
-        c.friction = pair_friction(scene_, c.j, c.i);
-        c.restitution = impact_restitution(scene_, step, c.j, c.i);
+        c.friction = pair_law(scene_, c.j, c.i).friction;
+        c.restitution = drawn_restitution(scene_, step, c.j, c.i);
     }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/engines/dem/soft_restitution.h"
+#include "src/model/contact_law.h"
 
 namespace polargrain {
 
