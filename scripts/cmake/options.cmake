@@ -1,5 +1,6 @@
 option(POLARGRAIN_TESTS "Build the tests" ON)
 option(POLARGRAIN_BENCH "Build the benchmarks" OFF)
+option(POLARGRAIN_SIMD "Use the vector instructions that the processor has; without them the results are the same" ON)
 option(POLARGRAIN_ASSERTS "Check our own invariants at run time" OFF)
 set(POLARGRAIN_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
 

@@ -11,10 +11,9 @@ namespace polargrain {
 
 /// A speculative contact of the refined engine: one point at which grain i may meet body j (a grain, or a wall).
 ///
-/// The normal points out of j into i, t = (n_y, -n_x). Lever arms are taken at the pose at which the contact was found
-/// and hold for one step. Gap, impulses and travel change from sub-step to sub-step.
-struct alignas(64) GapContact {
-    // What the solver's sweeps touch comes first, in two cache lines.
+/// The normal points out of j into i, t = (n_y, -n_x). Lever arms are taken in the middle of the step and hold for the
+/// whole of it. While the solver runs, gap and impulses stand in ContactLanes.
+struct GapContact {
     BodyIndex i = 0, j = 0;  ///< i a grain; j a lower grain, or a wall
     bool active = true;      ///< false once the point has left its edge for good in this step
     bool on_i = true;        ///< the point belongs to i
@@ -27,12 +26,9 @@ struct alignas(64) GapContact {
     double mass_n = 0.0, mass_t = 0.0;                              ///< effective masses along n and t [kg/m]
     double arm_ni = 0.0, arm_ti = 0.0, arm_nj = 0.0, arm_tj = 0.0;  ///< cross(r, n), cross(r, t) [m]
     Vec2 wall_velocity = Vec2::Zero();  ///< of the wall's material at the point, in this sub-step [m/s]
-
-    Vec2 point = Vec2::Zero();                              ///< where the contact was found [m]
+    Vec2 point = Vec2::Zero();          ///< where the contact is [m]
     double low = -std::numeric_limits<double>::infinity();  ///< travel for which the point stays over its edge [m]
     double high = std::numeric_limits<double>::infinity();
-    double travel = 0.0;
-    double restitution = 0.0;
     Vec2 total_impulse = Vec2::Zero();  ///< on i in this step [N s/m]
     std::int32_t vertex = 0, edge = 0, piece = 0;
 

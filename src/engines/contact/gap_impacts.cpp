@@ -5,6 +5,7 @@
 
 #include "src/engines/contact/gap_detection.h"
 #include "src/engines/contact/gap_motion.h"
+#include "src/model/contact_law.h"
 
 namespace polargrain {
 
@@ -18,13 +19,10 @@ Motion motion_of(const SolverBody& body) { return {body.velocity, body.spin}; }
 
 }  // namespace
 
-void GapImpacts::begin(const std::vector<GapContact>& contacts, const Halfway& halfway, std::int64_t step, double time,
-                       double dt) {
-    halfway_ = &halfway;
-    step_ = step;
-    time_ = time;
-    impact_speed_ = k_impact * std::sqrt(scene_.gravity.squaredNorm()) * dt;
-    index_by_grain(contacts);
+void GapImpacts::begin(const StepInHand& step) {
+    now_ = step;
+    impact_speed_ = k_impact * std::sqrt(scene_.gravity.squaredNorm()) * step.dt;
+    index_by_grain(*step.contacts);
 }
 
 void GapImpacts::index_by_grain(const std::vector<GapContact>& contacts) {
@@ -42,21 +40,35 @@ void GapImpacts::index_by_grain(const std::vector<GapContact>& contacts) {
     }
 }
 
-bool GapImpacts::strikes(const GapContact& c, const std::vector<SolverBody>& bodies, double h, double& speed) const {
+void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) const {
+    closing.clear();
+    for (std::size_t k = 0; k < now_.contacts->size(); ++k) {
+        if (-normal_speed((*now_.contacts)[k], *now_.bodies) > impact_speed_) {
+            closing.push_back(static_cast<std::int32_t>(k));
+        }
+    }
+}
+
+/// Gap less resting gap [m].
+double GapImpacts::open(const GapContact& c) const {
+    return now_.lanes->open(static_cast<std::size_t>(&c - now_.contacts->data()));
+}
+
+bool GapImpacts::strikes(const GapContact& c, double h, double& speed) const {
     if (!c.active) return false;
-    speed = -normal_speed(c, bodies);
+    speed = -normal_speed(c, *now_.bodies);
     if (speed <= impact_speed_) return false;
     // Gravity pulls both grains of a pair alike; against a wall it closes the gap as well.
     const double pull = is_wall(c.j) ? std::max(0.0, -scene_.gravity.dot(c.normal)) * h : 0.0;
-    return c.gap - c.resting < (speed + pull) * h;
+    return open(c) < (speed + pull) * h;
 }
 
-void GapImpacts::run(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, double h,
-                     StepReport& report) {
+void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
+    std::vector<GapContact>& contacts = *now_.contacts;
     heap_.clear();
     double speed = 0.0;
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (strikes(contacts[k], bodies, h, speed)) heap_.push_back({speed, static_cast<std::int32_t>(k), 0});
+    for (const std::int32_t k : closing) {
+        if (strikes(contacts[at(k)], h, speed)) heap_.push_back({speed, k, 0});
     }
     if (heap_.empty()) return;
     std::make_heap(heap_.begin(), heap_.end(), later);
@@ -66,21 +78,20 @@ void GapImpacts::run(std::vector<GapContact>& contacts, std::vector<SolverBody>&
         std::pop_heap(heap_.begin(), heap_.end(), later);
         const Strike next = heap_.back();
         heap_.pop_back();
-        const auto k = static_cast<std::size_t>(next.contact);
-        if (next.stamp != stamp_[k]) continue;
-        const double flight = time_to_wall(contacts[k], next.speed, contacts, h);
+        if (next.stamp != stamp_[at(next.contact)]) continue;
+        GapContact& c = contacts[at(next.contact)];
+        const double flight = time_to_wall(c, next.speed, h);
         if (flight > 0.0) {
-            strike_in_flight(contacts[k], next.speed, flight, contacts, bodies, trial, report);
+            strike_in_flight(c, next.speed, flight);
         } else {
-            strike(contacts[k], next.speed, contacts, bodies, report);
+            strike(c, next.speed);
         }
-        ++uses_[k];
-        for (const BodyIndex body : {contacts[k].i, contacts[k].j}) {
+        ++uses_[at(next.contact)];
+        for (const BodyIndex body : {c.i, c.j}) {
             if (is_wall(body)) continue;
-            for (auto n = first_of_grain_[at(body)]; n < first_of_grain_[at(body) + 1]; ++n) {
-                const std::int32_t touched = of_grain_[at(n)];
+            for (const std::int32_t touched : contacts_of(body)) {
                 ++stamp_[at(touched)];
-                if (uses_[at(touched)] >= k_most_impacts || !strikes(contacts[at(touched)], bodies, h, speed)) continue;
+                if (uses_[at(touched)] >= k_most_impacts || !strikes(contacts[at(touched)], h, speed)) continue;
                 heap_.push_back({speed, touched, stamp_[at(touched)]});
                 std::push_heap(heap_.begin(), heap_.end(), later);
             }
@@ -88,18 +99,22 @@ void GapImpacts::run(std::vector<GapContact>& contacts, std::vector<SolverBody>&
     }
 }
 
+std::span<const std::int32_t> GapImpacts::contacts_of(GrainIndex grain) const {
+    return {of_grain_.data() + first_of_grain_[at(grain)], of_grain_.data() + first_of_grain_[at(grain) + 1]};
+}
+
 /// Time until a grain reaches its resting gap from a wall at rest [s], no longer than the sub-step; 0 where others are
 /// near enough to take part.
-double GapImpacts::time_to_wall(const GapContact& c, double speed, const std::vector<GapContact>& contacts,
-                                double h) const {
-    const double open = c.gap - c.resting;
-    if (!is_wall(c.j) || open <= 0.0 || c.wall_velocity != Vec2::Zero()) return 0.0;
-    for (auto n = first_of_grain_[at(c.i)]; n < first_of_grain_[at(c.i) + 1]; ++n) {
-        const GapContact& other = contacts[at(of_grain_[at(n)])];
-        if (&other != &c && other.active && other.gap - other.resting < k_alone * speed * h) return 0.0;
+double GapImpacts::time_to_wall(const GapContact& c, double speed, double h) const {
+    if (!is_wall(c.j) || c.wall_velocity != Vec2::Zero()) return 0.0;
+    const double way = open(c);
+    if (way <= 0.0) return 0.0;
+    for (const std::int32_t k : contacts_of(c.i)) {
+        const GapContact& other = (*now_.contacts)[at(k)];
+        if (&other != &c && other.active && open(other) < k_alone * speed * h) return 0.0;
     }
-    const double root = speed * speed - 2.0 * scene_.gravity.dot(c.normal) * open;
-    return root > 0.0 ? std::min(h, 2.0 * open / (speed + std::sqrt(root))) : 0.0;
+    const double root = speed * speed - 2.0 * scene_.gravity.dot(c.normal) * way;
+    return root > 0.0 ? std::min(h, 2.0 * way / (speed + std::sqrt(root))) : 0.0;
 }
 
 /// An impact of a grain that nothing else touches on a wall, at the moment at which they meet.
@@ -108,81 +123,83 @@ double GapImpacts::time_to_wall(const GapContact& c, double speed, const std::ve
 /// free flight - the velocity goes back by the part of the kick that has been spent, and the pose gets what the
 /// velocity before moved it more than the one after. (Among grains alone in a dense gas this is not worth it: others
 /// come in between within the sub-step.)
-void GapImpacts::strike_in_flight(GapContact& c, double speed, double flight, std::vector<GapContact>& contacts,
-                                  std::vector<SolverBody>& bodies, PoseSet& trial, StepReport& report) {
+void GapImpacts::strike_in_flight(GapContact& c, double speed, double flight) {
     const Vec2 kick = flight * scene_.gravity;
-    SolverBody& body = bodies[at(c.i)];
+    SolverBody& body = (*now_.bodies)[at(c.i)];
     body.velocity += kick;
     const Motion before = motion_of(body);
-    strike(c, speed, contacts, bodies, report);
+    strike(c, speed);
     const Vec2 way = flight * (before.velocity - body.velocity);
     const double turn = flight * (before.spin - body.spin);
-    trial.centre[at(c.i)] += way;
-    trial.angle[at(c.i)] += turn;
+    now_.trial->centre[at(c.i)] += way;
+    now_.trial->angle[at(c.i)] += turn;
     body.velocity -= kick;
-    for (auto m = first_of_grain_[at(c.i)]; m < first_of_grain_[at(c.i) + 1]; ++m) {
-        GapContact& touched = contacts[at(of_grain_[at(m)])];
+    for (const std::int32_t k : contacts_of(c.i)) {
+        const GapContact& touched = (*now_.contacts)[at(k)];
         const bool is_i = touched.i == c.i;
         const double opened = touched.normal.dot(way) + (is_i ? touched.arm_ni : touched.arm_nj) * turn;
-        touched.gap += is_i ? opened : -opened;
+        now_.lanes->widen(at(k), is_i ? opened : -opened);
     }
 }
 
 /// Both bodies of an impact after it, free or on their feet.
 struct GapImpacts::Blow {
     Footing i, j;
+    double restitution;
     ImpactResult result;
 
     bool is_consistent() const { return i.is_consistent() && j.is_consistent(); }
 };
 
-void GapImpacts::strike(GapContact& c, double speed, std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies,
-                        StepReport& report) {
+void GapImpacts::strike(GapContact& c, double speed) {
     stances_i_.clear();
     stances_j_.clear();
     if (!is_wall(c.j)) {
-        add_stances(c.i, speed, contacts, bodies, stances_i_);
-        add_stances(c.j, speed, contacts, bodies, stances_j_);
+        add_stances(c.i, speed, stances_i_);
+        add_stances(c.j, speed, stances_j_);
     }
     stances_i_.push_back({});
     stances_j_.push_back({});
+    const double restitution = drawn_restitution(scene_, now_.step, c.j, c.i);
     for (const Stance& stance_i : stances_i_) {
         for (const Stance& stance_j : stances_j_) {
-            const Blow b = blow(c, bodies, stance_i, stance_j);
+            const Blow b = blow(c, restitution, stance_i, stance_j);
             const bool free = stance_i.foot == nullptr && stance_j.foot == nullptr;
             if (!free && (!b.is_consistent() || presses_another(b.i, stances_i_) || presses_another(b.j, stances_j_) ||
                           b.result.friction_loss < 0.0)) {
                 continue;
             }
-            take(c, b, stance_i.foot, stance_j.foot, bodies, report);
+            take(c, b, stance_i.foot, stance_j.foot);
             return;
         }
     }
 }
 
-void GapImpacts::add_stances(BodyIndex grain, double speed, std::vector<GapContact>& contacts,
-                             const std::vector<SolverBody>& bodies, std::vector<Stance>& stances) const {
+void GapImpacts::add_stances(GrainIndex grain, double speed, std::vector<Stance>& stances) const {
     if (scene_.gravity == Vec2::Zero()) return;  // nothing makes it stand anywhere
-    for (auto n = first_of_grain_[at(grain)]; n < first_of_grain_[at(grain) + 1]; ++n) {
-        GapContact& c = contacts[at(of_grain_[at(n)])];
-        if (!is_wall(c.j) || !c.active || c.gap > k_foot_gap * c.resting) continue;
-        if (std::hypot(normal_speed(c, bodies), tangent_speed(c, bodies)) > k_foot_speed * speed) continue;
+    for (const std::int32_t k : contacts_of(grain)) {
+        GapContact& c = (*now_.contacts)[at(k)];
+        if (!is_wall(c.j) || !c.active || open(c) > (k_foot_gap - 1.0) * c.resting) continue;
+        const double normal = normal_speed(c, *now_.bodies);
+        const double tangential = tangent_speed(c, *now_.bodies);
+        if (std::sqrt(normal * normal + tangential * tangential) > k_foot_speed * speed) continue;
         for (const Grip grip : {Grip::holds, Grip::slips_back, Grip::slips_ahead}) stances.push_back({&c, grip});
     }
 }
 
-GapImpacts::Blow GapImpacts::blow(const GapContact& c, const std::vector<SolverBody>& bodies, const Stance& stance_i,
+GapImpacts::Blow GapImpacts::blow(const GapContact& c, double restitution, const Stance& stance_i,
                                   const Stance& stance_j) const {
+    const std::vector<SolverBody>& bodies = *now_.bodies;
     const auto footing = [&](BodyIndex body, const Stance& stance) {
         if (is_wall(body)) return Footing(c.wall_velocity);
-        const Vec2& centre = halfway_->centre(body);
+        const Vec2& centre = now_.halfway->centre(body);
         if (stance.foot == nullptr) return Footing(bodies[at(body)], centre);
         return Footing(bodies[at(body)], centre, *stance.foot, stance.grip);
     };
-    Blow b{footing(c.i, stance_i), footing(c.j, stance_j), {}};
+    Blow b{footing(c.i, stance_i), footing(c.j, stance_j), restitution, {}};
     const ContactFrame frame = contact_frame(c.normal, c.point, b.i, b.j);
     const Vec2 u = b.i.velocity_at(c.point) - b.j.velocity_at(c.point);
-    b.result = solve_impact(frame, {u.dot(frame.tangent()), u.dot(frame.normal)}, c.friction, c.restitution);
+    b.result = solve_impact(frame, {u.dot(frame.tangent()), u.dot(frame.normal)}, c.friction, restitution);
     const Vec2 p = b.result.normal * c.normal + b.result.tangential * c.tangent();
     b.i.take(p, c.point);
     b.j.take(-p, c.point);
@@ -199,21 +216,23 @@ bool GapImpacts::presses_another(const Footing& footing, const std::vector<Stanc
 }
 
 /// Books the impulse on i and j, and what their feet get.
-void GapImpacts::take(GapContact& c, const Blow& b, GapContact* foot_i, GapContact* foot_j,
-                      std::vector<SolverBody>& bodies, StepReport& report) const {
-    report.ledger.restitution_loss += b.result.restitution_loss;
-    report.ledger.friction_loss += b.result.friction_loss + b.i.foot_loss() + b.j.foot_loss();
+void GapImpacts::take(GapContact& c, const Blow& b, GapContact* foot_i, GapContact* foot_j) const {
+    EnergyLedger& ledger = now_.report->ledger;
+    ledger.restitution_loss += b.result.restitution_loss;
+    ledger.friction_loss += b.result.friction_loss + b.i.foot_loss() + b.j.foot_loss();
     const SlipMode mode = b.i.stands() || b.j.stands() ? SlipMode::on_feet : b.result.mode;
-    push_one(c, b.result.normal, b.result.tangential, mode, bodies, report);
+    push_one(c, b.result.normal, b.result.tangential, mode, b.restitution);
     for (const auto& [footing, foot] : {std::pair{&b.i, foot_i}, std::pair{&b.j, foot_j}}) {
         if (foot == nullptr) continue;
         const Vec2 p = footing->foot_impulse();
-        push_one(*foot, p.dot(foot->normal), p.dot(foot->tangent()), SlipMode::foot, bodies, report);
+        push_one(*foot, p.dot(foot->normal), p.dot(foot->tangent()), SlipMode::foot,
+                 drawn_restitution(scene_, now_.step, foot->j, foot->i));
     }
 }
 
-void GapImpacts::push_one(GapContact& c, double normal, double tangential, SlipMode mode,
-                          std::vector<SolverBody>& bodies, StepReport& report) const {
+void GapImpacts::push_one(GapContact& c, double normal, double tangential, SlipMode mode, double restitution) const {
+    std::vector<SolverBody>& bodies = *now_.bodies;
+    StepReport& report = *now_.report;
     const bool wall = is_wall(c.j);
     const Motion wall_motion{c.wall_velocity, 0.0};
     ImpactRecord r;
@@ -227,15 +246,15 @@ void GapImpacts::push_one(GapContact& c, double normal, double tangential, SlipM
     take_reaction(c, impulse, report);
     ++report.impacts;
     if (!report.record_impacts) return;
-    r.time = time_;
-    r.step = step_;
+    r.time = now_.time;
+    r.step = now_.step;
     r.i = c.i;
     r.j = c.j;
     r.point = c.point;
     r.normal = c.normal;
-    r.centre_i = halfway_->centre(c.i);
-    r.centre_j = wall ? c.point : halfway_->centre(c.j);
-    r.restitution = c.restitution;
+    r.centre_i = now_.halfway->centre(c.i);
+    r.centre_j = wall ? c.point : now_.halfway->centre(c.j);
+    r.restitution = restitution;
     r.friction = c.friction;
     r.mode = mode;
     r.impulse_normal = normal;

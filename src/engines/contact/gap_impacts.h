@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "src/engines/contact/contact_lanes.h"
 #include "src/engines/contact/footing.h"
 #include "src/engines/contact/halfway.h"
 #include "src/model/scene.h"
@@ -25,13 +27,30 @@ public:
 
     explicit GapImpacts(const Scene& scene) : scene_(scene) {}
 
-    /// For the step that follows; `halfway` is where the contacts have been carried to, and must outlive it.
-    void begin(const std::vector<GapContact>& contacts, const Halfway& halfway, std::int64_t step, double time,
-               double dt);
+    /// What a step works on, for as long as it lasts. `trial` are the poses that its sub-steps move on, `lanes` hold
+    /// the gaps, `halfway` is where the contacts have been carried to.
+    struct StepInHand {
+        std::vector<GapContact>* contacts = nullptr;
+        ContactLanes* lanes = nullptr;
+        std::vector<SolverBody>* bodies = nullptr;
+        PoseSet* trial = nullptr;
+        const Halfway* halfway = nullptr;
+        StepReport* report = nullptr;
+        std::int64_t step = 0;
+        double time = 0.0, dt = 0.0;
+    };
 
-    /// `trial` are the poses that the sub-step moves on.
-    void run(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, double h,
-             StepReport& report);
+    void begin(const StepInHand& step);
+
+    /// All contacts that may strike in the first sub-step.
+    void find_all_closing(std::vector<std::int32_t>& closing) const;
+
+    /// One sub-step of length h [s]. `closing`: contacts that may strike, in any order; the others are looked at when
+    /// an impact has changed them.
+    void run(const std::vector<std::int32_t>& closing, double h);
+
+    /// Closing speed up to which contacts are left to the solver [m/s].
+    double slow() const { return impact_speed_; }
 
     /// A contact that closes, in the order in which they are struck.
     struct Strike {
@@ -49,27 +68,21 @@ private:
     struct Blow;
 
     void index_by_grain(const std::vector<GapContact>& contacts);
-    bool strikes(const GapContact& c, const std::vector<SolverBody>& bodies, double h, double& speed) const;
-    double time_to_wall(const GapContact& c, double speed, const std::vector<GapContact>& contacts, double h) const;
-    void strike_in_flight(GapContact& c, double speed, double flight, std::vector<GapContact>& contacts,
-                          std::vector<SolverBody>& bodies, PoseSet& trial, StepReport& report);
-    void strike(GapContact& c, double speed, std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies,
-                StepReport& report);
-    void add_stances(BodyIndex grain, double speed, std::vector<GapContact>& contacts,
-                     const std::vector<SolverBody>& bodies, std::vector<Stance>& stances) const;
-    Blow blow(const GapContact& c, const std::vector<SolverBody>& bodies, const Stance& stance_i,
-              const Stance& stance_j) const;
+    std::span<const std::int32_t> contacts_of(GrainIndex grain) const;
+    double open(const GapContact& c) const;
+    bool strikes(const GapContact& c, double h, double& speed) const;
+    double time_to_wall(const GapContact& c, double speed, double h) const;
+    void strike_in_flight(GapContact& c, double speed, double flight);
+    void strike(GapContact& c, double speed);
+    void add_stances(GrainIndex grain, double speed, std::vector<Stance>& stances) const;
+    Blow blow(const GapContact& c, double restitution, const Stance& stance_i, const Stance& stance_j) const;
     static bool presses_another(const Footing& footing, const std::vector<Stance>& stances);
-    void take(GapContact& c, const Blow& blow, GapContact* foot_i, GapContact* foot_j, std::vector<SolverBody>& bodies,
-              StepReport& report) const;
-    void push_one(GapContact& c, double normal, double tangential, SlipMode mode, std::vector<SolverBody>& bodies,
-                  StepReport& report) const;
+    void take(GapContact& c, const Blow& blow, GapContact* foot_i, GapContact* foot_j) const;
+    void push_one(GapContact& c, double normal, double tangential, SlipMode mode, double restitution) const;
 
     const Scene& scene_;
-    const Halfway* halfway_ = nullptr;
+    StepInHand now_;
     double impact_speed_ = 0.0;
-    double time_ = 0.0;
-    std::int64_t step_ = 0;
     std::vector<std::int32_t> first_of_grain_, fill_, of_grain_;
     std::vector<Stance> stances_i_, stances_j_;
     std::vector<Strike> heap_;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "src/engines/contact/gap_motion.h"
-#include "src/engines/contact/wall_pieces.h"
 #include "src/model/contact_law.h"
 
 namespace polargrain {
@@ -14,16 +14,21 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
     start_ = &start;
     halfway_.find(start, bodies, dt);
     prepare(contacts, bodies);
-    prepare_laws(contacts, step);
-    impacts_.begin(contacts, halfway_, step, time, dt);
+    find_moving_walls(contacts);
+    grains_ = bodies.size();
+    bodies_ = bodies;
+    lanes_.lay_out(contacts, bodies_, scene_.threads);
+    impacts_.begin({&contacts, &lanes_, &bodies_, &trial, &halfway_, &report, step, time, dt});
+    impacts_.find_all_closing(closing_);
     const double h = dt / k_sub_steps;
     for (int s = 0; s < k_sub_steps; ++s) {
         set_wall_velocities(contacts, time + (s + 0.5) * h);
-        impacts_.run(contacts, bodies, trial, h, report);
-        lasting(contacts, bodies, h, sweeps);
-        keep_energy(contacts, bodies, h);
-        move(contacts, bodies, trial, h, report);
+        impacts_.run(closing_, h);
+        lasting(contacts, h, sweeps, s == 0);
+        keep_energy(contacts, h);
+        move(contacts, trial, h, report);
     }
+    finish(contacts, bodies, report);
 }
 
 void GapSolver::prepare_at_rest(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
@@ -35,9 +40,9 @@ void GapSolver::prepare_at_rest(std::vector<GapContact>& contacts, const std::ve
 
 void GapSolver::prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const {
     for (GapContact& c : contacts) {
-        c.travel = 0.0;
         c.active = true;
         c.total_impulse = Vec2::Zero();
+        c.friction = pair_law(scene_, c.j, c.i).friction;
         halfway_.carry(c);
         prepare_arms(c, bodies);
     }
@@ -63,44 +68,57 @@ void GapSolver::prepare_arms(GapContact& c, const std::vector<SolverBody>& bodie
     c.mass_t = 1.0 / s;
 }
 
-void GapSolver::prepare_laws(std::vector<GapContact>& contacts, std::int64_t step) const {
-    for (GapContact& c : contacts) {
-        c.friction = pair_law(scene_, c.j, c.i).friction;
-        c.restitution = drawn_restitution(scene_, step, c.j, c.i);
+/// Contacts with walls that move: their speeds change from sub-step to sub-step, and they do work.
+void GapSolver::find_moving_walls(const std::vector<GapContact>& contacts) {
+    moving_.clear();
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const BodyIndex j = contacts[k].j;
+        if (is_wall(j) && scene_.walls[static_cast<std::size_t>(wall_index(j))].moves()) moving_.push_back(k);
     }
 }
 
-void GapSolver::set_wall_velocities(std::vector<GapContact>& contacts, double time) const {
-    for (GapContact& c : contacts) {
-        if (!is_wall(c.j)) continue;
+void GapSolver::set_wall_velocities(std::vector<GapContact>& contacts, double time) {
+    for (const std::size_t k : moving_) {
+        GapContact& c = contacts[k];
         const Wall& wall = scene_.walls[static_cast<std::size_t>(wall_index(c.j))];
-        if (wall.moves()) c.wall_velocity = wall_state(wall, time).velocity_at(c.point);
+        c.wall_velocity = wall_state(wall, time).velocity_at(c.point);
+        lanes_.wall_body_of(k, bodies_).velocity = c.wall_velocity;
+        closing_.push_back(static_cast<std::int32_t>(k));  // it may have become faster since it was looked at
     }
 }
 
 // --- lasting contacts ---
 
-void GapSolver::lasting(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, int sweeps) {
-    velocity_before_.resize(bodies.size());
-    spin_before_.resize(bodies.size());
-    pushed_.assign(bodies.size(), 0);
+/// The first guess of the impulses is what they were in the sub-step before; as nothing else has changed, their sum on
+/// a grain is what they gave it then.
+void GapSolver::lasting(std::vector<GapContact>& contacts, double h, int sweeps, bool first) {
     const Vec2 kick = h * scene_.gravity;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        velocity_before_[k] = bodies[k].velocity;
-        spin_before_[k] = bodies[k].spin;
-        bodies[k].velocity += kick;
+    velocity_before_.resize(grains_);
+    spin_before_.resize(grains_);
+    push_.resize(grains_);
+    for (std::size_t k = 0; k < grains_; ++k) {
+        SolverBody& body = bodies_[k];
+        velocity_before_[k] = body.velocity;
+        spin_before_[k] = body.spin;
+        body.velocity += kick;
+        if (first || !pushed_[k]) continue;
+        body.velocity += push_[k].velocity;
+        body.spin += push_[k].spin;
     }
-    for (const GapContact& c : contacts) {
-        if (c.normal_impulse > 0.0) push(c, bodies, c.normal_impulse, c.tangent_impulse);
+    if (first) {
+        for (const GapContact& c : contacts) {
+            if (c.normal_impulse > 0.0) push(c, bodies_, c.normal_impulse, c.tangent_impulse);
+        }
     }
     const double settled = k_settled * std::sqrt(kick.squaredNorm());
     for (int s = 0; s < sweeps; ++s) {
-        if (!sweep(contacts, bodies, h, settled, s % 2 != 0)) break;
+        if (!lanes_.sweep(bodies_, h, settled, s % 2 != 0)) break;
     }
-    for (const GapContact& c : contacts) {
-        if (c.normal_impulse == 0.0) continue;
-        pushed_[at(c.i)] = 1;
-        if (!is_wall(c.j)) pushed_[at(c.j)] = 1;
+    pushed_.assign(bodies_.size(), 0);
+    lanes_.mark_pushed(pushed_);
+    for (std::size_t k = 0; k < grains_; ++k) {
+        if (!pushed_[k]) continue;
+        push_[k] = {bodies_[k].velocity - (velocity_before_[k] + kick), bodies_[k].spin - spin_before_[k]};
     }
 }
 
@@ -110,16 +128,16 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, std::vector<SolverBod
 /// Slower by the factor f, they have f^2 of their kinetic energy and take f of their way against gravity, so some f
 /// always keeps the energy from rising; and as no target asks for parting, gaps among slowed grains and to walls at
 /// rest are kept. While a moving wall pushes, nothing is slowed: grains would be overrun.
-void GapSolver::keep_energy(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h) const {
-    for (const GapContact& c : contacts) {
-        if (is_wall(c.j) && c.normal_impulse > 0.0 && c.wall_velocity != Vec2::Zero()) return;
+void GapSolver::keep_energy(const std::vector<GapContact>& contacts, double h) {
+    for (const std::size_t k : moving_) {
+        if (lanes_.normal_impulse(k) > 0.0 && contacts[k].wall_velocity != Vec2::Zero()) return;
     }
     double before = 0.0;
     double after = 0.0;
     double fall = 0.0;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
+    for (std::size_t k = 0; k < grains_; ++k) {
         if (!pushed_[k]) continue;
-        const SolverBody& body = bodies[k];
+        const SolverBody& body = bodies_[k];
         before += 0.5 * (velocity_before_[k].squaredNorm() / body.inverse_mass +
                          spin_before_[k] * spin_before_[k] / body.inverse_inertia);
         after += 0.5 * (body.velocity.squaredNorm() / body.inverse_mass + body.spin * body.spin / body.inverse_inertia);
@@ -129,85 +147,25 @@ void GapSolver::keep_energy(const std::vector<GapContact>& contacts, std::vector
     // The larger root of after f^2 - fall f - before = 0, in the form that loses no digits.
     const double root = std::sqrt(fall * fall + 4.0 * after * before);
     const double f = fall >= 0.0 ? (fall + root) / (2.0 * after) : 2.0 * before / (root - fall);
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
+    for (std::size_t k = 0; k < grains_; ++k) {
         if (!pushed_[k]) continue;
-        bodies[k].velocity *= f;
-        bodies[k].spin *= f;
+        bodies_[k].velocity *= f;
+        bodies_[k].spin *= f;
     }
 }
 
-/// One pass over all contacts; false where no contact's velocity has changed by more than `settled` [m/s].
-bool GapSolver::sweep(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, double settled,
-                      bool backwards) const {
-    bool changed = false;
-    const std::size_t n = contacts.size();
-    const double per_h = 1.0 / h;
-    SolverBody still;  // stands for every wall: its velocity is the contact's wall_velocity, its inertia infinite
-    for (std::size_t k = 0; k < n; ++k) {
-        GapContact& c = contacts[backwards ? n - 1 - k : k];
-        if (!c.active) continue;
-        SolverBody& i = bodies[at(c.i)];
-        SolverBody& j = is_wall(c.j) ? still : bodies[at(c.j)];
-        const double nx = c.normal.x();
-        const double ny = c.normal.y();
-        double ux = i.velocity.x() - j.velocity.x() - c.wall_velocity.x();
-        double uy = i.velocity.y() - j.velocity.y() - c.wall_velocity.y();
-        double wi = i.spin;
-        double wj = j.spin;
-        const double masses = i.inverse_mass + j.inverse_mass;
-
-        const double open = c.gap - c.resting;
-        const double target = open > 0.0 ? -open * per_h : 0.0;
-        const double u_n = nx * ux + ny * uy + c.arm_ni * wi - c.arm_nj * wj;
-        const double normal = std::max(0.0, c.normal_impulse - c.mass_n * (u_n - target));
-        const double change_n = normal - c.normal_impulse;
-        if (change_n != 0.0) {
-            ux += masses * change_n * nx;
-            uy += masses * change_n * ny;
-            wi += i.inverse_inertia * change_n * c.arm_ni;
-            wj -= j.inverse_inertia * change_n * c.arm_nj;
-        }
-        const double cone = c.friction * normal;
-        double change_t = -c.tangent_impulse;
-        if (cone > 0.0) {
-            const double u_t = ny * ux - nx * uy + c.arm_ti * wi - c.arm_tj * wj;
-            change_t += std::clamp(c.tangent_impulse - c.mass_t * u_t, -cone, cone);
-        }
-        if (change_n == 0.0 && change_t == 0.0) continue;
-        const Vec2 p{change_n * nx + change_t * ny, change_n * ny - change_t * nx};
-        i.velocity += i.inverse_mass * p;
-        i.spin = wi + i.inverse_inertia * change_t * c.arm_ti;
-        j.velocity -= j.inverse_mass * p;
-        j.spin = wj - j.inverse_inertia * change_t * c.arm_tj;
-        c.normal_impulse = normal;
-        c.tangent_impulse += change_t;
-        changed = changed || std::abs(change_n) > settled * c.mass_n || std::abs(change_t) > settled * c.mass_t;
-    }
-    return changed;
-}
-
-void GapSolver::move(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, double h,
-                     StepReport& report) {
-    for (GapContact& c : contacts) {
-        if (!c.active) continue;
-        const double u_n = normal_speed(c, bodies);
-        const double u_t = tangent_speed(c, bodies);
-        if (c.normal_impulse > 0.0) {
-            const Vec2 impulse = c.normal_impulse * c.normal + c.tangent_impulse * c.tangent();
-            c.total_impulse += impulse;
-            take_reaction(c, impulse, report);
-            report.ledger.restitution_loss -= c.normal_impulse * u_n;
-            report.ledger.friction_loss -= c.tangent_impulse * u_t;
-        }
-        c.gap += u_n * h;
-        c.travel += u_t * h;
-        if (c.travel < c.low || c.travel > c.high) leave_edge(c, bodies);
-    }
+void GapSolver::move(std::vector<GapContact>& contacts, PoseSet& trial, double h, StepReport& report) {
+    const LaneLosses losses = lanes_.move(bodies_, {h, impacts_.slow(), h * std::sqrt(scene_.gravity.squaredNorm())});
+    report.ledger.restitution_loss += losses.normal;
+    report.ledger.friction_loss += losses.tangent;
+    lanes_.find_closing(closing_);
+    for (const std::size_t k : moving_) book(k, contacts[k], report);
+    lanes_.each_left([&](std::size_t k) { leave_edge(k, contacts[k], report); });
     const Vec2 half_kick = 0.5 * h * scene_.gravity;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        SolverBody& body = bodies[k];
-        body.touched = body.touched || pushed_[k];
+    for (std::size_t k = 0; k < grains_; ++k) {
+        SolverBody& body = bodies_[k];
         if (pushed_[k]) {
+            body.touched = true;
             const Vec2 change = body.velocity - velocity_before_[k];
             const double turn = body.spin - spin_before_[k];
             report.ledger.restitution_loss +=
@@ -220,18 +178,60 @@ void GapSolver::move(std::vector<GapContact>& contacts, std::vector<SolverBody>&
     }
 }
 
+/// Hands the impulses of the sub-steps since the last time to the contact, and to its wall.
+void GapSolver::book(std::size_t contact, GapContact& c, StepReport& report) {
+    const Vec2 impulse = lanes_.take(contact, c);
+    c.total_impulse += impulse;
+    take_reaction(c, impulse, report);
+}
+
+void GapSolver::finish(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, StepReport& report) {
+    for (std::size_t k = 0; k < contacts.size(); ++k) book(k, contacts[k], report);
+    std::copy_n(bodies_.begin(), grains_, bodies.begin());
+}
+
 /// Edge-end rule: the point has passed the end of its edge. The other body's corner now runs along the edge that
 /// trails behind the point, with the same gap; where the turn is too sharp the contact is over for this step.
-void GapSolver::leave_edge(GapContact& c, const std::vector<SolverBody>& bodies) const {
-    c.active = false;
-    const bool towards_t = c.travel > c.high;
-    const double normal_impulse = c.normal_impulse;
+void GapSolver::leave_edge(std::size_t contact, GapContact& c, StepReport& report) {
+    constexpr double k_sharp = 0.2;  // cosine of the turn
+    const bool towards_t = lanes_.beyond_high(contact);
+    book(contact, c, report);
+    const double pressing = c.normal_impulse;
+    add_to_guess(c, -1.0);
     c.normal_impulse = 0.0;
     c.tangent_impulse = 0.0;
-    if (c.vertex < 0 || (!c.on_i && is_wall(c.j))) return;
+    c.active = false;
+    const std::optional<Vec2> normal = normal_that_follows(c, towards_t);
+    const double cosine = normal ? normal->dot(c.normal) : 0.0;
+    if (cosine >= k_sharp) {
+        c.normal = *normal;
+        c.normal_impulse = pressing * cosine;
+        c.low = -std::numeric_limits<double>::infinity();
+        c.high = std::numeric_limits<double>::infinity();
+        c.active = true;
+        prepare_arms(c, bodies_);
+        add_to_guess(c, 1.0);
+    }
+    lanes_.put(c, contact, bodies_);
+}
+
+/// What the contact's impulses give its grains, times `part`, into the first guess of the next sub-step.
+void GapSolver::add_to_guess(const GapContact& c, double part) {
+    const Vec2 p = part * (c.normal_impulse * c.normal + c.tangent_impulse * c.tangent());
+    const SolverBody& i = bodies_[at(c.i)];
+    push_[at(c.i)].velocity += i.inverse_mass * p;
+    push_[at(c.i)].spin += part * i.inverse_inertia * (c.normal_impulse * c.arm_ni + c.tangent_impulse * c.arm_ti);
+    if (is_wall(c.j)) return;
+    const SolverBody& j = bodies_[at(c.j)];
+    push_[at(c.j)].velocity -= j.inverse_mass * p;
+    push_[at(c.j)].spin -= part * j.inverse_inertia * (c.normal_impulse * c.arm_nj + c.tangent_impulse * c.arm_tj);
+}
+
+std::optional<Vec2> GapSolver::normal_that_follows(const GapContact& c, bool towards_t) const {
+    if (c.vertex < 0 || (!c.on_i && is_wall(c.j))) return std::nullopt;
     const BodyIndex owner = c.on_i ? c.i : c.j;
     const auto* polygon = std::get_if<PolarPolygon>(&scene_.shape_of(owner));
-    if (polygon == nullptr) return;
+    if (polygon == nullptr) return std::nullopt;
     const auto turned = [&](const Vec2& v) { return halfway_.turned(owner, start_->pose[at(owner)].turned(v)); };
     const Vec2 t = c.tangent();
     const Vec2 v = polygon->vertex(c.vertex);
@@ -242,15 +242,7 @@ void GapSolver::leave_edge(GapContact& c, const std::vector<SolverBody>& bodies)
     const bool next_trails = point_along_t ? to_next.dot(t) < to_previous.dot(t) : to_next.dot(t) > to_previous.dot(t);
     const int edge = next_trails ? c.vertex : polygon->previous(c.vertex);
     const Vec2 outward = turned(polygon->normal(edge));
-    const Vec2 normal = c.on_i ? Vec2(-outward) : outward;
-    const double cosine = normal.dot(c.normal);
-    if (cosine < 0.2) return;
-    c.normal = normal;
-    c.normal_impulse = normal_impulse * cosine;
-    c.low = -std::numeric_limits<double>::infinity();
-    c.high = std::numeric_limits<double>::infinity();
-    c.active = true;
-    prepare_arms(c, bodies);
+    return c.on_i ? Vec2(-outward) : outward;
 }
 
 }  // namespace polargrain

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "src/engines/contact/contact_lanes.h"
 #include "src/engines/contact/gap_detection.h"
 #include "src/engines/contact/gap_impacts.h"
 #include "src/engines/contact/halfway.h"
@@ -25,7 +27,7 @@ namespace polargrain {
 class GapSolver {
 public:
     static constexpr int k_sub_steps = 8;
-    static constexpr int k_sweeps = 2;
+    static constexpr int k_sweeps = 4;
     static constexpr int k_careful_sweeps = 8;
     static constexpr double k_settled = 1e-3;  ///< of g h: a sweep that changes no velocity by more ends the solve
 
@@ -43,23 +45,36 @@ public:
 private:
     void prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const;
     void prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies) const;
-    void prepare_laws(std::vector<GapContact>& contacts, std::int64_t step) const;
-    void set_wall_velocities(std::vector<GapContact>& contacts, double time) const;
+    void find_moving_walls(const std::vector<GapContact>& contacts);
+    void set_wall_velocities(std::vector<GapContact>& contacts, double time);
 
-    void lasting(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, int sweeps);
-    void keep_energy(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h) const;
-    bool sweep(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, double h, double settled,
-               bool backwards) const;
-    void move(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, PoseSet& trial, double h,
-              StepReport& report);
-    void leave_edge(GapContact& c, const std::vector<SolverBody>& bodies) const;
+    void lasting(std::vector<GapContact>& contacts, double h, int sweeps, bool first);
+    void keep_energy(const std::vector<GapContact>& contacts, double h);
+    void move(std::vector<GapContact>& contacts, PoseSet& trial, double h, StepReport& report);
+    void leave_edge(std::size_t contact, GapContact& c, StepReport& report);
+    void add_to_guess(const GapContact& c, double part);
+    std::optional<Vec2> normal_that_follows(const GapContact& c, bool towards_t) const;
+    void book(std::size_t contact, GapContact& c, StepReport& report);
+    void finish(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, StepReport& report);
+
+    /// What lasting contacts have given a grain in the last sub-step.
+    struct Push {
+        Vec2 velocity = Vec2::Zero();
+        double spin = 0.0;
+    };
 
     const Scene& scene_;
     const PoseSet* start_ = nullptr;  ///< poses at which the contacts were found
     Halfway halfway_;
     GapImpacts impacts_;
+    ContactLanes lanes_;
+    std::vector<SolverBody> bodies_;  ///< grains, then what stands for walls
+    std::size_t grains_ = 0;
+    std::vector<std::size_t> moving_;  ///< contacts with walls that move
+    std::vector<std::int32_t> closing_;
     std::vector<Vec2> velocity_before_;
     std::vector<double> spin_before_;
+    std::vector<Push> push_;
     std::vector<char> pushed_;
 };
 

@@ -1,0 +1,8 @@
+#define POLARGRAIN_LANES lanes_baseline
+#include "src/engines/contact/lane_kernels_body.h"
+
+namespace polargrain {
+
+const LaneKernels lanes_baseline::kernels{lanes_baseline::sweep, lanes_baseline::move, "baseline"};
+
+}  // namespace polargrain
