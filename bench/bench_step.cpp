@@ -47,5 +47,3 @@ BENCHMARK_CAPTURE(step, refined_disk, make_contact, testing::PourShape::disk)->A
 
 }  // namespace
 }  // namespace polargrain
-
-BENCHMARK_MAIN();
