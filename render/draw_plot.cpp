@@ -11,6 +11,12 @@ namespace {
 constexpr Colour k_ground{0.988, 0.988, 0.982};
 constexpr Colour k_border{0.80, 0.82, 0.84};
 
+Vec2 mean_of(const std::vector<Vec2>& points) {
+    Vec2 sum = Vec2::Zero();
+    for (const Vec2& p : points) sum += p;
+    return sum / static_cast<double>(points.size());
+}
+
 }  // namespace
 
 void draw_contacts(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Projection& to_paper,
@@ -61,8 +67,20 @@ void draw_chains(cairo_t* cr, const Picture& picture, const FrameStyle& style, c
     }
 }
 
+View view_at(const Picture& picture, const FrameStyle& style) {
+    View view = style.view;
+    for (const PlacedWall& wall : picture.walls) {
+        if (wall.number != style.follow) continue;
+        const Vec2 moved =
+            mean_of(wall.points) - mean_of(picture.scene.walls[static_cast<std::size_t>(wall.number)].points);
+        view.lower += moved;
+        view.upper += moved;
+    }
+    return view;
+}
+
 void draw_plot(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Rect& plot, double letter) {
-    const Projection to_paper(style.view, plot);
+    const Projection to_paper(view_at(picture, style), plot);
     {
         const Saved saved(cr);
         cairo_rectangle(cr, plot.x, plot.y, plot.width, plot.height);

@@ -62,9 +62,13 @@ void add_wall(Bounds& bounds, const Wall& wall) {
     for (const Vec2& p : wall.points) bounds.add(p, shaken != nullptr ? std::abs(shaken->amplitude) : 0.0);
 }
 
-View whole_view(const Scene& scene) {
+View whole_view(const Scene& scene, std::optional<int> followed) {
     Bounds bounds;
-    for (const Wall& wall : scene.walls) add_wall(bounds, wall);
+    for (int w = 0; w < static_cast<int>(scene.walls.size()); ++w) {
+        Wall wall = scene.walls[static_cast<std::size_t>(w)];
+        if (w == followed) wall.motion = {};
+        add_wall(bounds, wall);
+    }
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         bounds.add(scene.grains.position(k), outer_radius(scene.shape_of(k)));
     }
@@ -158,6 +162,13 @@ void set_colour_scale(FrameStyle& style, const FrameSettings& settings, const Sc
     if (style.colour == ColourBy::spin) style.colour_min = -style.colour_max;
 }
 
+std::optional<int> followed_wall(const FrameSettings& settings, const Scene& scene) {
+    if (!settings.follow) return {};
+    const auto found = std::ranges::find(scene.walls, *settings.follow, &Wall::name);
+    require(found != scene.walls.end(), "follow: no wall is named {}", *settings.follow);
+    return static_cast<int>(found - scene.walls.begin());
+}
+
 /// Enough to tell neighbouring frames apart, with one more digit: frames come at the first step after their time.
 int decimals_for(double every) {
     if (every <= 0.0) return 3;
@@ -179,7 +190,8 @@ ColourBy colour_by(std::string_view name) {
 FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title, double time_step) {
     FrameStyle style;
     style.title = std::move(title);
-    style.view = settings.view ? View{settings.view->first, settings.view->second} : whole_view(scene);
+    style.follow = followed_wall(settings, scene);
+    style.view = settings.view ? View{settings.view->first, settings.view->second} : whole_view(scene, style.follow);
     style.width = even(settings.width);
     style.height = settings.height > 0 ? even(settings.height) : fitting_height(style.width, style.view);
     style.colour = colour_by(settings.colour);

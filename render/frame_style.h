@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -39,6 +40,7 @@ struct FrameStyle {
     double time_step = 0.0;      ///< [s] turns impulses into forces; 0: unknown
     double grain_radius = 0.0;   ///< mean outer radius [m]
     int time_decimals = 3;       ///< of the time stamp [s]
+    std::optional<int> follow;   ///< number of the wall that the view goes along with, without turning
 };
 
 /// Style for all frames of a scene.
@@ -46,6 +48,7 @@ struct FrameStyle {
 /// The view is the given one, or all walls (with the reach of their motions) and all grains at time zero with a
 /// margin. Sizes are rounded up to even numbers, as movies need. A height of zero follows from the view, between a
 /// fifth and 4/3 of the width; where the view has another aspect it is shown whole and centred.
+/// A wall that the view follows counts where it is at rest.
 /// The colour scale is colour_max, or from the scene alone. Its upper end for speed: the next round number above
 /// 0.4 sqrt(2 g H), H the largest drop, above 1.5 times the root mean square of the initial speeds and above the
 /// greatest wall speed; for spin 0.3 of that speed over the mean outer radius, both ways; for kinetic energy that of a
@@ -53,7 +56,7 @@ struct FrameStyle {
 /// impulse scale is a mean grain's mass times that speed. Force chains are thickest at a round multiple of a mean
 /// grain's weight, about forty, so that a bed at rest shows its chains; without gravity or a known time step at the
 /// impulse scale.
-/// time_step: of the run [s]; 0 where it is not known. InputError for a colour that is not known.
+/// time_step: of the run [s]; 0 where it is not known. InputError for a colour or a followed wall that is not known.
 FrameStyle make_frame_style(const FrameSettings& settings, const Scene& scene, std::string title,
                             double time_step = 0.0);
 

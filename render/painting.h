@@ -73,6 +73,8 @@ void draw_contacts(cairo_t* cr, const Picture& picture, const FrameStyle& style,
 void draw_chains(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Projection& to_paper);
 /// Thickness of such a line [pixel].
 double chain_thickness(const FrameStyle& style, double impulse, double scale);
+/// The view of the style, moved along with the wall that it follows: by as much as the mean of that wall's points.
+View view_at(const Picture& picture, const FrameStyle& style);
 /// All of it, clipped to the plot, in a thin frame.
 void draw_plot(cairo_t* cr, const Picture& picture, const FrameStyle& style, const Rect& plot, double letter);
 

@@ -13,6 +13,7 @@ namespace polargrain {
 struct PlacedWall {
     std::vector<Vec2> points;  ///< [m]; the solid side is on the right of the direction of travel
     Pose pose;                 ///< that took the rest points there
+    int number = 0;            ///< of the wall in the scene
 };
 
 /// What there is to be seen at one instant, whether it comes from a run or from a recording. Refers to the scene,

@@ -47,7 +47,18 @@ std::optional<std::pair<Vec2, Vec2>> read_view(TableReader& frames) {
     return std::pair{corners[0], corners[1]};
 }
 
-FrameSettings read_frames(TableReader& output, const FrameSettings& defaults) {
+std::optional<std::string> read_followed_wall(TableReader& frames, const Scene& scene) {
+    if (!frames.has("follow")) {
+        frames.raw("follow");
+        return {};
+    }
+    std::vector<std::string> names;
+    for (const Wall& wall : scene.walls) names.push_back(wall.name);
+    if (names.empty()) frames.fail("follow", "there are no walls to follow; leave it out");
+    return frames.choice("follow", names, {});
+}
+
+FrameSettings read_frames(TableReader& output, const Scene& scene, const FrameSettings& defaults) {
     static const std::vector<std::string> formats = {"png", "svg", "pdf"};
     static const std::vector<std::string> colours = {"speed", "spin",     "angle",    "kinetic_energy", "size", "id",
                                                      "shape", "material", "contacts", "force",          "none"};
@@ -61,6 +72,7 @@ FrameSettings read_frames(TableReader& output, const FrameSettings& defaults) {
     frames.contacts = table.flag("contacts", defaults.contacts);
     frames.view = read_view(table);
     frames.colour_max = table.optional_number("colour_max", k_positive);
+    frames.follow = read_followed_wall(table, scene);
     output.adopt("frames", table);
     return frames;
 }
@@ -105,7 +117,7 @@ void read_settle(Reading& reading) {
 void read_output(Reading& reading) {
     TableReader table = reading.top.table("output", key_table("output"));
     OutputSettings& output = reading.scenario.output;
-    output.frames = read_frames(table, output.frames);
+    output.frames = read_frames(table, reading.scenario.scene, output.frames);
     output.trajectory_every = read_every(table, "trajectory", output.trajectory_every);
     output.series_every = read_every(table, "series", output.series_every);
     output.impacts = table.flag("impacts", output.impacts);

@@ -37,7 +37,8 @@ struct FrameSettings {
     bool contacts = false;  ///< draw contact points and impulses
     std::optional<std::pair<Vec2, Vec2>>
         view;  ///< lower left and upper right corner [m]; none: all walls and grains at time zero
-    std::optional<double> colour_max;  ///< upper end of the colour scale; none: chosen from the scene
+    std::optional<double> colour_max;   ///< upper end of the colour scale; none: chosen from the scene
+    std::optional<std::string> follow;  ///< name of a wall of the scene that the view goes along with
 };
 
 struct OutputSettings {

@@ -131,6 +131,23 @@ TEST_F(Frame, AMovingWallIsDrawnWhereItIs) {
     EXPECT_LT(difference(at(0.5, 0.5), k_ground_colour), k_alike);
 }
 
+TEST_F(Frame, AViewThatFollowsAWallGoesAlongWithItAndDoesNotTurn) {
+    Scene scene = one_disk();
+    scene.walls.push_back({"shaker", 0, {{0.2, 0.9}, {0.2, 0.1}}, SineMotion{Vec2::UnitX(), 0.2, 1.0, 0.0}, {}});
+    scene.walls.push_back({"paddle", 0, {{0.7, 0.2}, {0.9, 0.2}}, RotationMotion{Vec2(0.8, 0.2), 2.0 * k_pi, 0.0}, {}});
+    FrameStyle style = unit_view();
+    style.follow = 0;
+    draw(scene, style, 0.25);  // a quarter of a period: the whole amplitude, to the right
+    EXPECT_LT(brightness(at(0.2, 0.5)), 0.5) << "the wall stays where it was on the paper";
+    EXPECT_GT(difference(at(0.2, 0.5), at(0.36, 0.5)), 0.2);
+    EXPECT_LT(difference(at(0.65, 0.5), k_ground_colour), k_alike) << "and the disk has gone to the left";
+    EXPECT_GT(difference(at(0.2, 0.45), k_ground_colour), 0.2);
+    style.follow = 1;
+    draw(scene, style, 0.25);
+    EXPECT_LT(brightness(at(0.8, 0.28)), 0.5) << "the paddle has turned upright about its middle";
+    EXPECT_LT(brightness(at(0.4, 0.5)), 0.5) << "the shaker has moved";
+}
+
 TEST_F(Frame, ARemovedWallIsGone) {
     Scene scene;
     scene.walls.push_back({"gate", 0, {{0.1, 0.5}, {0.9, 0.5}}, {}, 1.0});

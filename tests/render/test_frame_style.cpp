@@ -21,6 +21,19 @@ TEST(FrameStyleOfAScene, ShowsAllGrainsAndAllThatWallsReach) {
     EXPECT_LT(view.lower.y(), 0.0);
 }
 
+TEST(FrameStyleOfAScene, AFollowedWallCountsWhereItIsAtRest) {
+    Scene scene;
+    scene.walls.push_back({"vessel", 0, {{0.0, 0.0}, {1.0, 1.0}}, SineMotion{Vec2::UnitY(), 5.0, 1.0, 0.0}, {}});
+    FrameSettings settings;
+    EXPECT_LT(make_frame_style(settings, scene, "").view.lower.y(), -5.0);
+    settings.follow = "vessel";
+    const FrameStyle style = make_frame_style(settings, scene, "");
+    EXPECT_EQ(style.follow, 0);
+    EXPECT_NEAR(style.view.lower.y(), -0.04, 1e-12) << "the margin";
+    settings.follow = "vesel";
+    EXPECT_THROW(make_frame_style(settings, scene, ""), InputError);
+}
+
 TEST(FrameStyleOfAScene, TakesTheViewThatIsGiven) {
     FrameSettings settings;
     settings.view = {Vec2(-1.0, 0.5), Vec2(2.0, 1.5)};

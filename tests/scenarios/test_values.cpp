@@ -45,7 +45,7 @@ TEST(Values, DefaultsAreThoseOfTheManual) {
 TEST(Values, EveryOutputKeyArrives) {
     const Scenario scenario = load_text(small_scenario() + R"(
 [output]
-frames = { every = 0, format = "svg", width = 640, height = 480, colour = "spin", contacts = true, view = [[-1, -2], [3, 4]], colour_max = 2.5 }
+frames = { every = 0, format = "svg", width = 640, height = 480, colour = "spin", contacts = true, view = [[-1, -2], [3, 4]], colour_max = 2.5, follow = "floor" }
 trajectory = { every = 0.5 }
 series = { every = 0.25 }
 impacts = true
@@ -69,6 +69,7 @@ source = "here"
     EXPECT_TRUE(frames.contacts);
     EXPECT_EQ(frames.view, (std::pair{Vec2(-1, -2), Vec2(3, 4)}));
     EXPECT_EQ(frames.colour_max, 2.5);
+    EXPECT_EQ(frames.follow, "floor");
     EXPECT_EQ(scenario.output.trajectory_every, 0.5);
     EXPECT_EQ(scenario.output.series_every, 0.25);
     EXPECT_TRUE(scenario.output.impacts);
