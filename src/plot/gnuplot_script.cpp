@@ -46,6 +46,7 @@ std::string row(const Series& s, std::size_t k) {
     std::string text = fmt::format("{:.9g} {:.9g}", s.x[k], s.y[k]);
     if (s.style == SeriesStyle::arrows) text += fmt::format(" {:.9g} {:.9g}", s.dx[k], s.dy[k]);
     if (s.style == SeriesStyle::labels) text += " " + field(s.texts[k]);
+    if (s.style == SeriesStyle::cells) text += fmt::format(" {0:.9g} {0:.9g} {1:.9g}", 0.5 * s.cell, s.z[k]);
     if (!s.y_error.empty()) text += fmt::format(" {:.9g}", s.y_error[k]);
     return text + "\n";
 }
@@ -88,7 +89,8 @@ std::string style_of(const Series& s, int colour) {
         case SeriesStyle::filled:
             return fmt::format("with filledcurves closed fill transparent solid 0.18 border lc rgb '{0}' fc rgb '{0}'",
                                colour_name(colour));
-        case SeriesStyle::arrows: return "with vectors head filled size screen 0.012,20 " + line;
+        case SeriesStyle::arrows: return fmt::format("with vectors head filled size screen {},20 {}", s.head, line);
+        case SeriesStyle::cells: return "with boxxyerror fill solid 1.0 noborder lc palette";
         case SeriesStyle::labels: return fmt::format("with labels center tc rgb '{}'", colour_name(colour));
     }
     return "with lines";
@@ -98,20 +100,25 @@ std::string columns_of(const Series& s) {
     switch (s.style) {
         case SeriesStyle::arrows: return "1:2:3:4";
         case SeriesStyle::labels: return "1:2:3";
+        case SeriesStyle::cells: return "1:2:3:4:5";
         default: return "1:2";
     }
 }
 
-/// Marks with error bars take a style of their own: bars drawn over marks would cut them out.
+/// Marks and bars with error bars take a style of their own: error bars drawn over them would cut them out.
 std::string style_with_errors(const Series& s, int colour) {
+    if (s.style == SeriesStyle::bars) {
+        return "with boxerrorbars fill solid 0.35 " + line_of(s.width, colour, false);
+    }
     const char* with = s.style == SeriesStyle::line_points ? "with yerrorlines " : "with yerrorbars ";
     return with + line_of(s.width, colour, false) + " " + symbol_of(colour);
 }
 
 std::string plotted(const Series& s, const std::string& block, int colour) {
     const std::string title = s.label.empty() ? "notitle" : "title " + quoted(s.label);
-    const bool marks = s.style == SeriesStyle::points || s.style == SeriesStyle::line_points;
-    if (!s.y_error.empty() && marks) {
+    const bool whole =
+        s.style == SeriesStyle::points || s.style == SeriesStyle::line_points || s.style == SeriesStyle::bars;
+    if (!s.y_error.empty() && whole) {
         return fmt::format("{} using 1:2:3 {} {}", block, title, style_with_errors(s, colour));
     }
     std::string text = fmt::format("{} using {} {} {}", block, columns_of(s), title, style_of(s, colour));
@@ -134,7 +141,7 @@ const char* key_place(KeyPlace place) {
     return "unset key";
 }
 
-std::string range(char axis, const std::optional<std::pair<double, double>>& given, const std::string& lower) {
+std::string range(const char* axis, const std::optional<std::pair<double, double>>& given, const std::string& lower) {
     return given ? fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, given->first, given->second)
                  : fmt::format("set {}range [{}:*]\n", axis, lower);
 }
@@ -174,19 +181,31 @@ std::string x_ticks(const Panel& panel) {
     return fmt::format("set xtics nomirror out ({})\n", names);
 }
 
+/// Dark to light in brightness, for print: the anchors of viridis.
+constexpr const char* k_scale =
+    "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
+
+std::string colour_scale(const Panel& panel) {
+    const bool cells = std::any_of(panel.series.begin(), panel.series.end(),
+                                   [](const Series& s) { return s.style == SeriesStyle::cells; });
+    if (!cells) return "unset colorbox\n";
+    return fmt::format("{}set colorbox\nset cbtics autofreq out\nset cblabel {}\n{}", k_scale, quoted(panel.z_label),
+                       range("cb", panel.z_range, "*"));
+}
+
 std::string axes(const Panel& panel) {
     std::string text = fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n{}\n", quoted(panel.title),
                                    quoted(panel.x_label), quoted(panel.y_label), key_place(panel.key));
     text += panel.log_x ? "set logscale x\n" : "unset logscale x\n";
     text += panel.log_y ? "set logscale y\n" : "unset logscale y\n";
-    text += range('x', panel.x_range, lower_end_of_x(panel)) + range('y', panel.y_range, lower_end_of_y(panel));
+    text += range("x", panel.x_range, lower_end_of_x(panel)) + range("y", panel.y_range, lower_end_of_y(panel));
     if (panel.map) {
         text += "set size ratio -1\nunset border\nunset tics\nunset grid\nunset key\n";
     } else {
         text += "set size noratio\nset border 3 lc rgb '#777777'\n" + x_ticks(panel) +
                 "set ytics nomirror out\nset grid lc rgb '#dddddd' lt 1 lw 1\n";
     }
-    return text;
+    return text + colour_scale(panel);
 }
 
 /// Thin lines across the panel, each with its name at its end.
@@ -226,7 +245,8 @@ std::string gnuplot_script(const Plot& plot, const std::filesystem::path& png, c
     const std::size_t rows = (plot.panels.size() + columns - 1) / columns;
     std::string text = "set encoding utf8\n";
     std::string sheet = fmt::format(
-        "set bars small\nset boxwidth 0.9 relative\nset offsets graph 0.02, graph 0.02, graph 0.08, graph 0.02\n"
+        "set bars small\nset boxwidth 0.9 relative\nset offsets graph 0.02, graph 0.02, graph "
+        "0.08, graph 0.02\n"
         "set multiplot layout {},{} title {} font ',16'\n",
         rows, columns, quoted(plot.title));
     for (std::size_t p = 0; p < plot.panels.size(); ++p) {

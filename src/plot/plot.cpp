@@ -22,8 +22,9 @@ void check(const Series& series) {
     const auto fits = [n](std::size_t size, bool needed) { return size == n || (size == 0 && !needed); };
     const bool arrows = series.style == SeriesStyle::arrows;
     const bool labels = series.style == SeriesStyle::labels;
+    const bool cells = series.style == SeriesStyle::cells;
     require(fits(series.y.size(), true) && fits(series.y_error.size(), false) && fits(series.dx.size(), arrows) &&
-                fits(series.dy.size(), arrows) && fits(series.texts.size(), labels),
+                fits(series.dy.size(), arrows) && fits(series.texts.size(), labels) && fits(series.z.size(), cells),
             "series \"{}\": its columns differ in length; give every point all its numbers", series.label);
 }
 
@@ -42,17 +43,17 @@ std::string number(const std::vector<double>& column, std::size_t k) {
 
 void write_csv(const Plot& plot, const fs::path& path) {
     TextFile file(path);
-    file.write("panel,series,x,y,y_error,dx,dy,text\n");
+    file.write("panel,series,x,y,y_error,dx,dy,text,z\n");
     for (const Panel& panel : plot.panels) {
         for (const Series& s : panel.series) {
             for (std::size_t k = 0; k < s.x.size(); ++k) {
-                file.write(fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(panel.title), csv_field(s.label), s.x[k],
-                                       s.y[k], number(s.y_error, k), number(s.dx, k), number(s.dy, k),
-                                       s.texts.empty() ? std::string() : csv_field(s.texts[k])));
+                file.write(fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_field(panel.title), csv_field(s.label),
+                                       s.x[k], s.y[k], number(s.y_error, k), number(s.dx, k), number(s.dy, k),
+                                       s.texts.empty() ? std::string() : csv_field(s.texts[k]), number(s.z, k)));
             }
         }
         for (const Level& level : panel.levels) {
-            file.write(fmt::format("{},{},{},{},,,,\n", csv_field(panel.title), csv_field(level.label),
+            file.write(fmt::format("{},{},{},{},,,,,\n", csv_field(panel.title), csv_field(level.label),
                                    level.vertical ? fmt::format("{}", level.value) : "",
                                    level.vertical ? "" : fmt::format("{}", level.value)));
         }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -75,8 +76,8 @@ TEST_F(Plots, BecomeAPictureAVectorFileAndATable) {
     EXPECT_GT(picture.count(0x00, 0x72, 0xb2), 300);
     EXPECT_THAT(contents(file(".pdf")), StartsWith("%PDF"));
     EXPECT_EQ(contents(file(".csv")),
-              "panel,series,x,y,y_error,dx,dy,text\n"
-              "panel,line,0,0.1,,,,\npanel,line,1,0.25,,,,\npanel,line,2,0.3333333333333333,,,,\n");
+              "panel,series,x,y,y_error,dx,dy,text,z\n"
+              "panel,line,0,0.1,,,,,\npanel,line,1,0.25,,,,,\npanel,line,2,0.3333333333333333,,,,,\n");
     EXPECT_FALSE(fs::exists(file(".gnuplot"))) << "the script is only kept where it failed";
 }
 
@@ -84,7 +85,8 @@ TEST_F(Plots, DrawEveryStyleOnEveryKindOfAxis) {
     Panel styles{.title = "styles", .levels = {{0.5, "level", false}, {1.5, "there", true}}, .log_y = true};
     for (const SeriesStyle style :
          {SeriesStyle::line, SeriesStyle::dashed, SeriesStyle::points, SeriesStyle::line_points, SeriesStyle::steps,
-          SeriesStyle::bars, SeriesStyle::outline, SeriesStyle::filled, SeriesStyle::arrows, SeriesStyle::labels}) {
+          SeriesStyle::bars, SeriesStyle::outline, SeriesStyle::filled, SeriesStyle::arrows, SeriesStyle::labels,
+          SeriesStyle::cells}) {
         styles.series.push_back({.label = "s",
                                  .style = style,
                                  .x = {1.0, 2.0, 3.0},
@@ -92,7 +94,8 @@ TEST_F(Plots, DrawEveryStyleOnEveryKindOfAxis) {
                                  .y_error = {},
                                  .dx = {0.1, 0.1, 0.1},
                                  .dy = {1.0, 1.0, 1.0},
-                                 .texts = {"a", "b", "c"}});
+                                 .texts = {"a", "b", "c"},
+                                 .z = {1.0, 2.0, 3.0}});
     }
     Panel map = styles;
     map.map = true;
@@ -100,6 +103,25 @@ TEST_F(Plots, DrawEveryStyleOnEveryKindOfAxis) {
     Plot plot{.title = "all", .panels = {styles, map}, .columns = 2};
     write_plot(plot, stem());
     EXPECT_GT(Pixels(file(".png")).count(0x00, 0x72, 0xb2), 100);
+}
+
+TEST_F(Plots, ColourCellsByTheirValueOnTheScaleOfThePanel) {
+    const auto in_the_middle = [&](double value) {
+        Panel panel{.series = {{.style = SeriesStyle::cells, .x = {0.0}, .y = {0.0}, .z = {value}, .cell = 2.0}},
+                    .x_range = std::pair{-1.0, 1.0},
+                    .y_range = std::pair{-1.0, 1.0},
+                    .z_range = std::pair{0.0, 10.0},
+                    .map = true};
+        write_plot({.title = "cells", .panels = {std::move(panel)}, .width = 400, .height = 400}, stem());
+        const Pixels picture(file(".png"));
+        constexpr std::size_t k = 3U * (std::size_t{200} * 400U + 200U);
+        return std::array<int, 3>{picture.rgb[k], picture.rgb[k + 1], picture.rgb[k + 2]};
+    };
+    const auto lowest = in_the_middle(0.0), highest = in_the_middle(10.0);
+    EXPECT_GT(lowest[2], lowest[0]) << "dark blue";
+    EXPECT_GT(highest[0] + highest[1], 300) << "yellow";
+    EXPECT_LT(highest[2], 100);
+    EXPECT_EQ(in_the_middle(25.0), highest) << "values beyond the ends take the end colours";
 }
 
 TEST_F(Plots, LeaveOutWhatIsNoNumber) {
@@ -132,6 +154,20 @@ TEST_F(Plots, DrawErrorBars) {
     plot.panels[0].series[0] = with_errors;
     write_plot(plot, stem());
     EXPECT_GT(Pixels(file(".png")).count(0x00, 0x72, 0xb2), before + 15);
+}
+
+TEST_F(Plots, DrawErrorBarsOverBarsWithoutCuttingThemOut) {
+    Plot plot = one_panel({.style = SeriesStyle::bars, .x = {1.0, 2.0}, .y = {1.0, 2.0}});
+    plot.panels[0].x_range = {0.0, 3.0};
+    plot.panels[0].y_range = {0.0, 3.0};
+    const auto filled = [&] {
+        write_plot(plot, stem());
+        return Pixels(file(".png")).count(0xa6, 0xce, 0xe5);
+    };
+    const int before = filled();
+    ASSERT_GT(before, 5000);
+    plot.panels[0].series[0].y_error = {1e-9, 1e-9};
+    EXPECT_NEAR(filled(), before, 0.005 * before);
 }
 
 TEST_F(Plots, WriteNamesInsteadOfNumbersOnThatPanelAlone) {
