@@ -41,7 +41,7 @@ public:
         PoseSet trial = poses_;
         contacts_ = detection_.contacts();
         report_.clear(scene_.walls.size());
-        solver_.advance(contacts_, bodies, poses_, trial, 0, time_, k_dt, GapSolver::k_sweeps, report_);
+        solver_.advance(contacts_, bodies, poses_, trial, 0, time_, k_dt, GapSolver::k_usual, report_);
     }
 
     void detect() { detection_.detect(poses_, poses_, bodies_, time_, time_, k_dt); }
@@ -52,7 +52,7 @@ public:
         std::vector<SolverBody> bodies = bodies_;
         PoseSet trial = poses_;
         report_.clear(scene_.walls.size());
-        solver_.advance(contacts, bodies, poses_, trial, 0, time_, k_dt, GapSolver::k_sweeps, report_);
+        solver_.advance(contacts, bodies, poses_, trial, 0, time_, k_dt, GapSolver::k_usual, report_);
     }
 
     void correct() {

@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
     build-essential cmake ninja-build pkg-config git python3
     libeigen3-dev libcgal-dev libcairo2-dev libpng-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libhdf5-dev
-    libfmt-dev librandom123-dev libxxhash-dev libbox2d-dev
+    libfmt-dev librandom123-dev libxxhash-dev libbox2d-dev libtbb-dev
     libgtest-dev libgmock-dev libbenchmark-dev
     fonts-dejavu-core gnuplot-nox clang-format clang-tidy valgrind
 )

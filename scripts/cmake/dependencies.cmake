@@ -7,6 +7,7 @@ find_package(CGAL REQUIRED)
 set(HDF5_PREFER_PARALLEL FALSE)
 find_package(HDF5 REQUIRED COMPONENTS C)
 # Comes with the compiler; without it the engine dem runs in one thread.
+find_package(TBB REQUIRED)
 find_package(OpenMP COMPONENTS CXX)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -4,6 +4,7 @@
 
 #include "src/core/random.h"
 #include "src/engines/contact/contact_lanes.h"
+#include "tests/support/scenes.h"
 
 namespace polargrain {
 namespace {
@@ -21,6 +22,17 @@ std::vector<SolverBody> random_bodies(RandomStream& random) {
     }
     return bodies;
 }
+
+/// As many small disks; threads: of the loops.
+Scene disks(int grains, int threads) {
+    Scene scene = testing::empty_scene(0.5, 0.3);
+    const ShapeIndex disk = testing::add_disk(scene, 0.5);
+    for (int k = 0; k < grains; ++k) scene.add(Grain{disk, 0});
+    scene.threads = threads;
+    return scene;
+}
+
+const std::vector<Vec2> k_centres(k_grains, Vec2::Zero());
 
 GapContact random_contact(BodyIndex i, BodyIndex j, RandomStream& random) {
     GapContact c;
@@ -82,8 +94,8 @@ TEST(ContactLanes, SweepContactsOfDifferentGrainsAsOneAfterTheOther) {
     std::vector<SolverBody> expected = bodies;
     std::vector<GapContact> contacts;
     for (BodyIndex k = 0; k + 1 < k_grains; k += 2) contacts.push_back(random_contact(k + 1, k, random));
-    ContactLanes lanes;
-    lanes.lay_out(contacts, bodies, 1);
+    ContactLanes lanes(disks(k_grains, 1));
+    lanes.lay_out(contacts, k_centres, bodies);
     const double h = 1e-3;
     EXPECT_TRUE(lanes.sweep(bodies, h, 1e-6, false));
     for (GapContact& c : contacts) sweep_one(c, expected, h);
@@ -113,8 +125,8 @@ TEST(ContactLanes, SolveASystemOfContactsThatShareGrains) {
         c.mass_n = 1.0 / (inverse(c.i, c.arm_ni) + inverse(c.j, c.arm_nj));
         c.mass_t = 1.0 / (inverse(c.i, c.arm_ti) + inverse(c.j, c.arm_tj));
     }
-    ContactLanes lanes;
-    lanes.lay_out(contacts, bodies, 1);
+    ContactLanes lanes(disks(k_grains, 1));
+    lanes.lay_out(contacts, k_centres, bodies);
     int sweeps = 0;
     while (lanes.sweep(bodies, 1e-3, 1e-13, sweeps % 2 != 0) && sweeps < 20000) ++sweeps;
     EXPECT_LT(sweeps, 20000);
@@ -136,8 +148,8 @@ TEST(ContactLanes, TakeAnyNumberOfContactsOfOneGrain) {
     std::vector<SolverBody> expected = bodies;
     std::vector<GapContact> contacts;
     for (int k = 0; k < 200; ++k) contacts.push_back(random_contact(1 + k % (k_grains - 1), 0, random));
-    ContactLanes lanes;
-    lanes.lay_out(contacts, bodies, 1);
+    ContactLanes lanes(disks(k_grains, 1));
+    lanes.lay_out(contacts, k_centres, bodies);
     lanes.sweep(bodies, 1e-3, 1e-6, false);
     // All share grain 0, so that they have been taken one after the other, in the order given.
     for (GapContact& c : contacts) sweep_one(c, expected, 1e-3);
@@ -161,8 +173,8 @@ TEST(ContactLanes, MoveGapsAndTellWhatLeavesItsEdgeAndWhatCloses) {
     c.low = -1e-3;
     c.high = 2e-3;
     c.normal_impulse = 0.5;
-    ContactLanes lanes;
-    lanes.lay_out({c}, bodies, 1);
+    ContactLanes lanes(disks(k_grains, 1));
+    lanes.lay_out({c}, k_centres, bodies);
     const LaneLosses losses = lanes.move(bodies, {0.01, 0.1, 0.0});
     EXPECT_NEAR(lanes.open(0), 4e-3 - 0.2 * 0.01, 1e-15);
     EXPECT_NEAR(losses.normal, 0.5 * 0.2, 1e-15);
@@ -177,6 +189,38 @@ TEST(ContactLanes, MoveGapsAndTellWhatLeavesItsEdgeAndWhatCloses) {
     lanes.find_closing(closing);
     EXPECT_EQ(closing, std::vector<std::int32_t>{0});
     EXPECT_NEAR((lanes.take(0, c) - Vec2(0.0, 1.0)).norm(), 0.0, 1e-15) << "twice the impulse of a sub-step";
+}
+
+/// A bed of 100 by 30 disks, each with contacts to its neighbours and a few across the whole bed.
+TEST(ContactLanes, GiveTheSameBitsForAnyNumberOfThreads) {
+    constexpr int n = 3000;
+    const auto swept_by = [](int threads) {
+        RandomStream random(5, RandomPurpose::test);
+        std::vector<SolverBody> bodies;
+        std::vector<Vec2> centres;
+        std::vector<GapContact> contacts;
+        for (int k = 0; k < n; ++k) {
+            bodies.push_back({{random.normal(), random.normal()}, random.normal(), 1.0, 2.0, false});
+            centres.emplace_back(k % 100, k / 100);
+            if (k % 100 > 0) contacts.push_back(random_contact(k, k - 1, random));
+            if (k >= 100) contacts.push_back(random_contact(k, k - 100, random));
+            if (k % 500 == 499) contacts.push_back(random_contact(k, k / 2, random));
+        }
+        ContactLanes lanes(disks(n, threads));
+        lanes.lay_out(contacts, centres, bodies);
+        for (int s = 0; s < 4; ++s) lanes.sweep(bodies, 1e-3, 1e-9, s % 2 != 0);
+        const LaneLosses losses = lanes.move(bodies, {1e-3, 0.1, 0.0});
+        std::vector<double> all{losses.normal, losses.tangent};
+        for (int k = 0; k < n; ++k) {
+            const SolverBody& b = bodies[static_cast<std::size_t>(k)];
+            all.insert(all.end(), {b.velocity.x(), b.velocity.y(), b.spin});
+        }
+        for (std::size_t k = 0; k < contacts.size(); ++k) all.push_back(lanes.open(k));
+        return all;
+    };
+    const std::vector<double> alone = swept_by(1);
+    EXPECT_EQ(swept_by(2), alone);
+    EXPECT_EQ(swept_by(3), alone);
 }
 
 #ifdef POLARGRAIN_SIMD

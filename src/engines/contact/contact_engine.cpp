@@ -10,6 +10,7 @@
 #include "src/engines/contact/position_correction.h"
 #include "src/engines/contact/rejection.h"
 #include "src/engines/contact/repair.h"
+#include "src/engines/contact/stillness.h"
 
 namespace polargrain {
 
@@ -29,11 +30,16 @@ public:
     double suggested_dt() const override { return critical_time_step(scene_); }
 
     void step(World& world, double dt, StepReport& report) override {
-        report.clear(scene_.walls.size());
-        take_state(world);
-        if (!detected_) open_gaps(world.time, dt, report);
-        advance(world.step, world.time, dt, 0, report);
-        give_state(world, report);
+        if (!stillness_.holds(scene_, world, dt, report)) {
+            report.clear(scene_.walls.size());
+            take_state(world);
+            if (!detected_) open_gaps(world.time, dt, report);
+            stillness_.remember(world, contacts_, careful_, opening_left_);
+            advance(world.step, world.time, dt, 0, report);
+            give_state(world, report);
+            stillness_.judge(scene_, world, contacts_, careful_, opening_left_, world.time, dt, report);
+            unmoved_ = stillness_.unmoved();
+        }
         ++world.step;
         world.time = static_cast<double>(world.step) * dt;
     }
@@ -58,7 +64,7 @@ private:
         const double energy_before = total_energy(bodies_, before_, scene_.gravity);
         granted_ = 0.0;
         trial_ = before_;
-        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, sweeps(), report);
+        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(), report);
         correct_positions(energy_before, dt, report);
         refresh_trial();
         detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
@@ -116,7 +122,10 @@ private:
         opening_left_ = opening_remembered_;
     }
 
-    int sweeps() const { return careful_ > 0 ? GapSolver::k_careful_sweeps : GapSolver::k_sweeps; }
+    const GapSolver::Effort& effort() const {
+        if (careful_ > 0) return GapSolver::k_careful;
+        return unmoved_ ? GapSolver::k_unmoved : GapSolver::k_usual;
+    }
 
     void take_state(const World& world) {
         const std::size_t n = world.grains.x.size();
@@ -257,12 +266,14 @@ private:
     PositionCorrection correction_;
     Repair repair_;
     Rejection rejection_;
+    Stillness stillness_;
     std::vector<SolverBody> bodies_;
     PoseSet before_, trial_;
     std::vector<GapContact> contacts_;
     std::vector<PairContacts> pairs_;
     bool detected_ = false;
     int careful_ = 0;
+    bool unmoved_ = false;
     double granted_ = 0.0;       ///< energy that this step's correction may add without paying [J/m]
     double repair_lift_ = 0.0;   ///< energy that this step's repair has added [J/m]
     double opening_unit_ = 0.0;  ///< lifts every grain by its resting gap [J/m]
@@ -295,7 +306,7 @@ void ContactEngine::save(Checkpoint& checkpoint) const {
                                    c.tangent_impulse, c.low, c.high});
     }
     for (const PairContacts& p : pairs_) pairs.insert(pairs.end(), {p.i, p.j, p.piece, p.first, p.count});
-    checkpoint.put("contact/state", std::vector<std::int64_t>{detected_ ? 1 : 0, careful_});
+    checkpoint.put("contact/state", std::vector<std::int64_t>{detected_ ? 1 : 0, careful_, unmoved_ ? 1 : 0});
     checkpoint.put("contact/opening", std::vector<double>{opening_left_});
     checkpoint.put("contact/integers", std::move(integers));
     checkpoint.put("contact/reals", std::move(reals));
@@ -310,6 +321,8 @@ void ContactEngine::load(const Checkpoint& checkpoint) {
     const auto& pairs = checkpoint.integers("contact/pairs");
     detected_ = state.at(0) != 0;
     careful_ = static_cast<int>(state.at(1));
+    unmoved_ = state.at(2) != 0;
+    stillness_.forget();
     contacts_.clear();
     pairs_.clear();
     for (std::size_t k = 0; (k + 1) * k_contact_integers <= integers.size(); ++k) {

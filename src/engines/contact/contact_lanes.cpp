@@ -19,58 +19,103 @@ const double* numbers(const std::vector<SolverBody>& bodies) { return bodies.fro
 
 }  // namespace
 
-/// The lowest colour that neither grain has yet. A grain with more contacts than there are colours gives the rest runs
-/// of their own.
-void ContactLanes::colour(const std::vector<GapContact>& contacts, std::size_t grains) {
-    taken_.assign(grains, 0);
-    colour_of_.clear();
-    std::int32_t size_of[k_colours] = {};
-    std::int32_t surplus = 0;
-    for (const GapContact& c : contacts) {
-        std::uint64_t& of_i = taken_[Grains::at(c.i)];
-        std::uint64_t wall = 0;
-        std::uint64_t& of_j = is_wall(c.j) ? wall : taken_[Grains::at(c.j)];
-        const std::uint64_t both = of_i | of_j;
-        if (both == ~std::uint64_t{0}) {
-            colour_of_.push_back(k_colours + surplus++);
-            continue;
-        }
-        const int colour = std::countr_one(both);
-        of_i |= std::uint64_t{1} << colour;
-        of_j |= std::uint64_t{1} << colour;
-        colour_of_.push_back(colour);
-        ++size_of[colour];
-    }
-    runs_.clear();
-    std::ptrdiff_t block = 0;
-    for (const std::int32_t size : size_of) {
-        if (size == 0) break;
-        const std::ptrdiff_t blocks = (size + k_lanes - 1) / k_lanes;
-        runs_.push_back({block, block + blocks});
-        block += blocks;
-    }
-    for (std::int32_t k = 0; k < surplus; ++k, ++block) runs_.push_back({block, block + 1});
-
-    std::uint32_t next[k_colours] = {};
-    for (std::size_t c = 0; c < std::min<std::size_t>(runs_.size(), k_colours); ++c) {
-        next[c] = static_cast<std::uint32_t>(runs_[c].first * k_lanes);
-    }
-    const auto first_surplus = static_cast<std::uint32_t>((block - surplus) * k_lanes);
-    place_.resize(contacts.size());
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        const std::int32_t c = colour_of_[k];
-        place_[k] = c < k_colours ? next[c]++ : first_surplus + static_cast<std::uint32_t>((c - k_colours) * k_lanes);
+ContactLanes::ContactLanes(const Scene& scene) : parallel_(std::max(1, scene.threads)) {
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+        widest_ = std::max(widest_, 2.0 * outer_radius(scene.shape_of(k)));
     }
 }
 
-void ContactLanes::lay_out(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, int threads) {
-    threads_ = threads;
-    grains_ = bodies.size();
-    colour(contacts, grains_);
-    const auto count = static_cast<std::size_t>(runs_.empty() ? 0 : runs_.back().last);
+void ContactLanes::lay_out(const std::vector<GapContact>& contacts, const std::vector<Vec2>& centres,
+                           std::vector<SolverBody>& bodies) {
+    cut_into_strips(contacts.size(), centres);
+    colour(contacts, bodies.size());
+    fill(contacts, bodies);
+}
+
+/// Strips of equal width across the longer side of where the grains are, wide enough that few contacts span two.
+void ContactLanes::cut_into_strips(std::size_t contacts, const std::vector<Vec2>& centres) {
+    constexpr std::size_t k_contacts_a_strip = 1000;
+    constexpr double k_least_width = 3.0;  // diameters of the largest grain
+    strips_ = 1;
+    strip_.assign(centres.size(), 0);
+    if (contacts < 2 * k_contacts_a_strip) return;
+    Vec2 low = centres.front();
+    Vec2 high = centres.front();
+    for (const Vec2& c : centres) {
+        low = low.cwiseMin(c);
+        high = high.cwiseMax(c);
+    }
+    const Vec2 extent = high - low;
+    const int axis = extent.x() >= extent.y() ? 0 : 1;
+    const double most = extent[axis] / (k_least_width * widest_);
+    strips_ = std::max<std::size_t>(1, std::min(contacts / k_contacts_a_strip, static_cast<std::size_t>(most)));
+    const double per_width = static_cast<double>(strips_) / extent[axis];
+    for (std::size_t k = 0; k < centres.size(); ++k) {
+        const auto strip = static_cast<std::int32_t>((centres[k][axis] - low[axis]) * per_width);
+        strip_[k] = std::min(strip, static_cast<std::int32_t>(strips_) - 1);
+    }
+}
+
+/// Groups are numbered: strips, borders after each strip but the last, and one for what spans more.
+std::size_t ContactLanes::group_of(const GapContact& c) const {
+    const std::int32_t i = strip_[Grains::at(c.i)];
+    const std::int32_t j = is_wall(c.j) ? i : strip_[Grains::at(c.j)];
+    if (i == j) return static_cast<std::size_t>(i);
+    return std::abs(i - j) == 1 ? strips_ + static_cast<std::size_t>(std::min(i, j)) : 2 * strips_ - 1;
+}
+
+/// The lowest colour that neither grain has yet in the group, and from the colours a place for every contact. A grain
+/// with more contacts than there are colours gets blocks of their own for the rest.
+void ContactLanes::colour(const std::vector<GapContact>& contacts, std::size_t grains) {
+    constexpr std::int32_t k_colours = 64;
+    groups_.clear();
+    for (std::size_t g = 0; g < strips_; ++g) groups_.push_back({k_within, 0, 0});
+    for (std::size_t g = 0; g + 1 < strips_; ++g) groups_.push_back({g % 2 == 0 ? k_even_border : k_odd_border, 0, 0});
+    groups_.push_back({k_far, 0, 0});
+    taken_.assign(k_phases * grains, 0);
+    size_of_.assign(groups_.size() * (k_colours + 1), 0);
+    colour_.clear();
+    for (const GapContact& c : contacts) {
+        const std::size_t group = group_of(c);
+        std::uint64_t* taken = taken_.data() + groups_[group].phase * grains;
+        std::uint64_t wall = 0;
+        std::uint64_t& of_i = taken[Grains::at(c.i)];
+        std::uint64_t& of_j = is_wall(c.j) ? wall : taken[Grains::at(c.j)];
+        const int colour = std::countr_one(of_i | of_j);
+        if (colour < k_colours) {
+            of_i |= std::uint64_t{1} << colour;
+            of_j |= std::uint64_t{1} << colour;
+        }
+        colour_.push_back(colour);
+        ++size_of_[group * (k_colours + 1) + static_cast<std::size_t>(colour)];
+    }
+    std::int32_t block = 0;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        groups_[g].first = block;
+        for (std::int32_t colour = 0; colour <= k_colours; ++colour) {
+            std::int32_t& size = size_of_[g * (k_colours + 1) + static_cast<std::size_t>(colour)];
+            const std::int32_t blocks = colour < k_colours ? (size + k_lanes - 1) / k_lanes : size;
+            size = block * k_lanes;
+            block += blocks;
+        }
+        groups_[g].last = block;
+    }
+    for (std::vector<std::size_t>& groups : of_phase_) groups.clear();
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        if (groups_[g].first < groups_[g].last) of_phase_[groups_[g].phase].push_back(g);
+    }
+    place_.resize(contacts.size());
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        std::int32_t& next = size_of_[group_of(contacts[k]) * (k_colours + 1) + static_cast<std::size_t>(colour_[k])];
+        place_[k] = static_cast<std::uint32_t>(next);
+        next += colour_[k] < k_colours ? 1 : k_lanes;
+    }
+}
+
+void ContactLanes::fill(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies) {
+    const auto count = static_cast<std::size_t>(groups_.back().last);
     blocks_.assign(count, LaneBlock{});
     travels_.resize(count);
-    losses_.resize(count);
     for (TravelBlock& t : travels_) {
         t = {};
         std::fill(std::begin(t.low.of), std::end(t.low.of), -k_unbounded);
@@ -142,17 +187,35 @@ Vec2 ContactLanes::take(std::size_t contact, GapContact& c) {
 
 bool ContactLanes::sweep(std::vector<SolverBody>& bodies, double h, double settled, bool backwards) {
     const LaneKernels& kernels = lane_kernels();
-    bool changed = false;
-    for (std::size_t k = 0; k < runs_.size(); ++k) {
-        const Run& run = runs_[backwards ? runs_.size() - 1 - k : k];
-        changed |= kernels.sweep(blocks_.data(), run.first, run.last, backwards, numbers(bodies), 1.0 / h, settled);
+    changed_.assign(groups_.size(), 0);
+    for (int p = 0; p < k_phases; ++p) {
+        const std::vector<std::size_t>& groups = of_phase_[backwards ? k_phases - 1 - p : p];
+        parallel_.each(groups.size(), [&](std::size_t n) {
+            const Group& group = groups_[groups[n]];
+            changed_[groups[n]] =
+                kernels.sweep(blocks_.data(), group.first, group.last, backwards, numbers(bodies), 1.0 / h, settled);
+        });
     }
-    return changed;
+    return std::any_of(changed_.begin(), changed_.end(), [](char changed) { return changed != 0; });
 }
 
+/// Losses are summed in pieces of a fixed size, whatever the number of threads.
 LaneLosses ContactLanes::move(const std::vector<SolverBody>& bodies, const LaneMove& move) {
-    return lane_kernels().move(blocks_.data(), travels_.data(), 0, static_cast<std::ptrdiff_t>(blocks_.size()),
-                               numbers(bodies), move);
+    constexpr std::ptrdiff_t k_piece = 128;
+    const LaneKernels& kernels = lane_kernels();
+    const auto blocks = static_cast<std::ptrdiff_t>(blocks_.size());
+    losses_.resize(static_cast<std::size_t>((blocks + k_piece - 1) / k_piece));
+    parallel_.each(losses_.size(), [&](std::size_t p) {
+        const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(p) * k_piece;
+        losses_[p] = kernels.move(blocks_.data(), travels_.data(), first, std::min(blocks, first + k_piece),
+                                  numbers(bodies), move);
+    });
+    LaneLosses sum;
+    for (const LaneLosses& piece : losses_) {
+        sum.normal += piece.normal;
+        sum.tangent += piece.tangent;
+    }
+    return sum;
 }
 
 void ContactLanes::mark_pushed(std::vector<char>& pushed) const {

@@ -1,22 +1,32 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "src/core/parallel.h"
 #include "src/engines/contact/gap_contact.h"
 #include "src/engines/contact/lane_kernels.h"
+#include "src/model/scene.h"
 
 namespace polargrain {
 
 /// The contacts of a step in blocks of eight that share no grain, for the solver's loops over all of them.
 ///
-/// Contacts get colours so that two of one grain have different ones, in the order in which they were found; blocks are
-/// filled colour by colour. So the order of a sweep follows from the contacts alone, a block is computed with vector
-/// instructions, and the blocks of a colour by any number of threads, with the same bits. What changes within the step
-/// (open gap, impulses, travel) stands here, everything else of a contact stays in GapContact.
+/// Large beds are cut into strips. A strip's own contacts touch nobody in another strip; those across a border come
+/// after them, first the even borders, then the odd ones, and what spans more than two strips last. Threads take whole
+/// strips or borders, which also keeps what they work on in their caches. Within each, contacts get colours, so that
+/// two of one grain have different ones, in the order in which they were found; blocks are filled colour by colour. So
+/// the order of a sweep follows from the contacts alone, and any number of threads gives the same bits.
+///
+/// What changes within the step (open gap, impulses, travel) stands here, everything else of a contact in GapContact.
 class ContactLanes {
 public:
-    /// Lays the contacts out. `bodies` are the grains; walls and empty lanes are added behind them.
-    void lay_out(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, int threads);
+    explicit ContactLanes(const Scene& scene);
+
+    /// Lays the contacts out. `bodies` are the grains, `centres` where they are; what stands for walls and for empty
+    /// lanes is added behind the bodies.
+    void lay_out(const std::vector<GapContact>& contacts, const std::vector<Vec2>& centres,
+                 std::vector<SolverBody>& bodies);
 
     /// A contact's constants, gap and impulses, again: after its normal has changed.
     void put(const GapContact& c, std::size_t contact, const std::vector<SolverBody>& bodies);
@@ -54,26 +64,35 @@ public:
     }
 
 private:
-    static constexpr std::int32_t k_colours = 64;
-    /// Blocks of one colour: any order.
-    struct Run {
+    enum Phase : std::uint8_t { k_within, k_even_border, k_odd_border, k_far, k_phases };
+    /// Contacts that one thread takes: their blocks, one after the other.
+    struct Group {
+        Phase phase;
         std::ptrdiff_t first, last;
     };
 
+    void cut_into_strips(std::size_t contacts, const std::vector<Vec2>& centres);
+    std::size_t group_of(const GapContact& c) const;
     void colour(const std::vector<GapContact>& contacts, std::size_t grains);
+    void fill(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies);
     LaneBlock& block(std::size_t contact) { return blocks_[place_[contact] / k_lanes]; }
     const LaneBlock& block(std::size_t contact) const { return blocks_[place_[contact] / k_lanes]; }
     std::size_t lane(std::size_t contact) const { return place_[contact] % k_lanes; }
 
-    int threads_ = 1;
-    std::vector<std::uint64_t> taken_;     ///< colours of a grain's contacts
-    std::vector<std::int32_t> colour_of_;  ///< of a contact
-    std::vector<std::uint32_t> place_;     ///< of a contact: block and lane
-    std::vector<Run> runs_;
+    Parallel parallel_;
+    double widest_ = 0.0;  ///< largest diameter of a grain [m]
+    std::size_t strips_ = 1;
+    std::vector<std::int32_t> strip_;    ///< of a grain
+    std::vector<std::uint64_t> taken_;   ///< per phase and grain: the colours of its contacts
+    std::vector<std::int32_t> colour_;   ///< of a contact
+    std::vector<std::int32_t> size_of_;  ///< per group and colour: contacts, then where the next one goes
+    std::vector<std::uint32_t> place_;   ///< of a contact: block and lane
+    std::vector<Group> groups_;
+    std::array<std::vector<std::size_t>, k_phases> of_phase_;  ///< groups with contacts
+    std::vector<char> changed_;
     std::vector<LaneBlock> blocks_;
     std::vector<TravelBlock> travels_;
     std::vector<LaneLosses> losses_;
-    std::size_t grains_ = 0;
 };
 
 template <typename Visit>

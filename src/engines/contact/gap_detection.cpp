@@ -24,7 +24,7 @@ void PoseSet::resize(std::size_t n) {
     pose.resize(n);
 }
 
-GapDetection::GapDetection(const Scene& scene) : scene_(scene), list_(scene) {
+GapDetection::GapDetection(const Scene& scene) : scene_(scene), parallel_(std::max(1, scene.threads)), list_(scene) {
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         diameter_.push_back(outer_radius(scene.shape_of(k)) + inner_radius(scene.shape_of(k)));
     }
@@ -104,16 +104,33 @@ void GapDetection::find_agitation(const PoseSet& now, const std::vector<SolverBo
     }
 }
 
-void GapDetection::store(BodyIndex i, BodyIndex j, std::int32_t piece, bool overlapping) {
-    if (points_.empty() && !overlapping) return;
-    PairContacts pair{
-        i,          j, piece, static_cast<std::int32_t>(contacts_.size()), static_cast<std::int32_t>(points_.size()),
-        overlapping};
-    pairs_.push_back(pair);
-    for (const GapPoint& p : points_) {
-        GapContact c;
-        c.i = i;
-        c.j = j;
+void GapDetection::Found::clear() {
+    contacts.clear();
+    pairs.clear();
+    points.clear();
+}
+
+void GapDetection::Found::append(const Found& more) {
+    const auto first = static_cast<std::int32_t>(contacts.size());
+    contacts.insert(contacts.end(), more.contacts.begin(), more.contacts.end());
+    points.insert(points.end(), more.points.begin(), more.points.end());
+    for (PairContacts pair : more.pairs) {
+        pair.first += first;
+        pairs.push_back(pair);
+    }
+}
+
+void GapDetection::store(Share& share, const PairContacts& pair, std::span<const GapPoint> points) const {
+    if (points.empty() && !pair.overlapping) return;
+    Found& found = share.found;
+    found.pairs.push_back(pair);
+    found.pairs.back().first = static_cast<std::int32_t>(found.contacts.size());
+    found.pairs.back().count = static_cast<std::int32_t>(points.size());
+    const double resting = resting_gap(pair.i, pair.j);
+    for (const GapPoint& p : points) {
+        GapContact& c = found.contacts.emplace_back();
+        c.i = pair.i;
+        c.j = pair.j;
         c.point = p.point;
         c.normal = p.normal;
         c.gap = p.gap;
@@ -121,27 +138,28 @@ void GapDetection::store(BodyIndex i, BodyIndex j, std::int32_t piece, bool over
         c.high = p.high;
         c.vertex = p.vertex;
         c.edge = p.edge;
-        c.piece = piece;
+        c.piece = pair.piece;
         c.on_i = p.on_i;
-        c.resting = resting_gap(i, j);
-        contacts_.push_back(c);
+        c.resting = resting;
     }
+    found.points.insert(found.points.end(), points.begin(), points.end());
 }
 
-void GapDetection::detect_pair(const PoseSet& now, GrainIndex a, GrainIndex b) {
+void GapDetection::detect_pair(Share& share, const PoseSet& now, GrainIndex a, GrainIndex b) const {
     const Pose& pose_a = now.pose[Grains::at(a)];
     const Pose& pose_b = now.pose[Grains::at(b)];
     const GapRules rules{margin(b, a), resting_gap(b, a)};
     const double reach = list_.radius(a) + list_.radius(b) + rules.margin;
     if ((pose_a.centre - pose_b.centre).squaredNorm() >= reach * reach) return;
-    points_.clear();
+    share.scratch.clear();
     const Shape& shape_a = scene_.shape_of(a);
     const Shape& shape_b = scene_.shape_of(b);
-    const bool close = find_gap_points(shape_b, pose_b, shape_a, pose_a, rules, points_);
-    store(b, a, -1, close && overlap(shape_a, pose_a, shape_b, pose_b));
+    const bool close = find_gap_points(shape_b, pose_b, shape_a, pose_a, rules, share.scratch);
+    store(share, {b, a, -1, 0, 0, close && overlap(shape_a, pose_a, shape_b, pose_b)}, share.scratch);
 }
 
-void GapDetection::detect_wall(const PoseSet& before, const PoseSet& now, GrainIndex k, std::int32_t index) {
+void GapDetection::detect_wall(Share& share, const PoseSet& before, const PoseSet& now, GrainIndex k,
+                               std::int32_t index) const {
     const Piece& piece = pieces_[static_cast<std::size_t>(index)];
     const Pose& pose = now.pose[Grains::at(k)];
     const BodyIndex wall = wall_body(piece.wall);
@@ -154,9 +172,9 @@ void GapDetection::detect_wall(const PoseSet& before, const PoseSet& now, GrainI
     if (std::abs(cross(along, from)) >= reach * length) return;
     const double station = from.dot(along) / length;
     if (station <= -reach || station >= length + reach) return;
-    points_.clear();
-    find_gap_points(scene_.shape_of(k), pose, before.pose[Grains::at(k)], piece.geometry, rules, points_);
-    store(k, wall, index, overlap(scene_.shape_of(k), pose, at));
+    share.scratch.clear();
+    find_gap_points(scene_.shape_of(k), pose, before.pose[Grains::at(k)], piece.geometry, rules, share.scratch);
+    store(share, {k, wall, index, 0, 0, overlap(scene_.shape_of(k), pose, at)}, share.scratch);
 }
 
 void GapDetection::detect(const PoseSet& before, const PoseSet& now, const std::vector<SolverBody>& bodies,
@@ -177,50 +195,84 @@ void GapDetection::detect(const PoseSet& before, const PoseSet& now, const std::
     }
     list_.update(before.pose, now.pose, clearance_);
 
-    contacts_.clear();
-    pairs_.clear();
-    for (const auto& [a, b] : list_.pairs()) detect_pair(now, a, b);
-    for (GrainIndex k = 0; k < static_cast<GrainIndex>(now.centre.size()); ++k) {
-        for (std::size_t p = 0; p < pieces_.size(); ++p) detect_wall(before, now, k, static_cast<std::int32_t>(p));
+    find_moved(before, now);
+    detect_again(before, now, moved_);
+}
+
+/// Who has moved, or looks elsewhere, since the last detection.
+void GapDetection::find_moved(const PoseSet& before, const PoseSet& now) {
+    const auto same = [](const Pose& p, const Pose& q) {
+        return p.centre == q.centre && p.cosine == q.cosine && p.sine == q.sine;
+    };
+    const std::size_t n = now.pose.size();
+    const bool elsewhere = seen_.size() != n || seen_gravity_way_ != gravity_way_;
+    moved_.assign(n, 1);
+    for (std::size_t k = 0; k < n && !elsewhere; ++k) {
+        moved_[k] = !same(now.pose[k], seen_[k]) || !same(before.pose[k], seen_[k]) || look_ahead_[k] != seen_ahead_[k];
     }
+    seen_ahead_ = look_ahead_;
+    seen_gravity_way_ = gravity_way_;
 }
 
 void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved) {
-    kept_.swap(contacts_);
-    kept_pairs_.swap(pairs_);
-    contacts_.clear();
-    pairs_.clear();
-    // The old pairs come in the order in which all pairs are gone through.
-    std::size_t next = 0;
-    const auto old_pair = [&](BodyIndex i, BodyIndex j, std::int32_t piece) -> const PairContacts* {
-        if (next == kept_pairs_.size()) return nullptr;
-        const PairContacts& pair = kept_pairs_[next];
-        if (pair.i != i || pair.j != j || pair.piece != piece) return nullptr;
-        ++next;
-        return &pair;
-    };
-    const auto keep = [&](const PairContacts* pair) {
-        if (pair == nullptr) return;
-        pairs_.push_back(*pair);
-        pairs_.back().first = static_cast<std::int32_t>(contacts_.size());
-        contacts_.insert(contacts_.end(), kept_.begin() + pair->first, kept_.begin() + pair->first + pair->count);
-    };
-    for (const auto& [a, b] : list_.pairs()) {
-        const PairContacts* old = old_pair(b, a, -1);
-        if (moved[Grains::at(a)] || moved[Grains::at(b)]) {
-            detect_pair(now, a, b);
+    detect_again(before, now, moved);
+}
+
+/// Threads take runs of the pairs, and of the grains with their walls; one after the other their finds are in order.
+void GapDetection::detect_again(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved) {
+    constexpr std::size_t k_pairs_a_run = 300;
+    constexpr std::size_t k_runs_a_thread = 4;  // so that one that takes longer holds up the others less
+    const std::span<const GrainPair> pairs = list_.pairs();
+    const auto threads = static_cast<std::size_t>(parallel_.threads());
+    const std::size_t runs =
+        threads == 1 ? 1 : std::clamp<std::size_t>(pairs.size() / k_pairs_a_run, 1, k_runs_a_thread * threads);
+    const std::size_t grains = now.pose.size();
+    shares_.resize(2 * runs);
+    parallel_.each(shares_.size(), [&](std::size_t s) {
+        Share& share = shares_[s];
+        share.found.clear();
+        const std::size_t part = s % runs;
+        if (s < runs) {
+            const std::size_t first = pairs.size() * part / runs;
+            detect_pairs(share, pairs.subspan(first, pairs.size() * (part + 1) / runs - first), now, moved);
         } else {
-            keep(old);
+            detect_walls(share, static_cast<GrainIndex>(grains * part / runs),
+                         static_cast<GrainIndex>(grains * (part + 1) / runs), before, now, moved);
+        }
+    });
+    found_.contacts.swap(shares_[0].found.contacts);
+    found_.pairs.swap(shares_[0].found.pairs);
+    found_.points.swap(shares_[0].found.points);
+    for (std::size_t s = 1; s < shares_.size(); ++s) found_.append(shares_[s].found);
+    last_pairs_ = found_.pairs;
+    last_points_.swap(found_.points);
+    seen_ = now.pose;
+    seen_pieces_ = pieces_.size();
+}
+
+void GapDetection::detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& now,
+                                const std::vector<char>& moved) const {
+    share.cursor = 0;
+    for (const auto& [a, b] : pairs) {
+        if (moved[Grains::at(a)] || moved[Grains::at(b)]) {
+            detect_pair(share, now, a, b);
+        } else {
+            keep(share, {b, a});
         }
     }
-    for (GrainIndex k = 0; k < static_cast<GrainIndex>(now.centre.size()); ++k) {
+}
+
+void GapDetection::detect_walls(Share& share, GrainIndex first, GrainIndex last, const PoseSet& before,
+                                const PoseSet& now, const std::vector<char>& moved) const {
+    const bool pieces_changed = pieces_.size() != seen_pieces_;  // they keep their numbers otherwise
+    share.cursor = 0;
+    for (GrainIndex k = first; k < last; ++k) {
         for (std::size_t p = 0; p < pieces_.size(); ++p) {
             const auto piece = static_cast<std::int32_t>(p);
-            const PairContacts* old = old_pair(k, wall_body(pieces_[p].wall), piece);
-            if (moved[Grains::at(k)]) {
-                detect_wall(before, now, k, piece);
+            if (moved[Grains::at(k)] || pieces_changed || pieces_[p].geometry.one_sided) {
+                detect_wall(share, before, now, k, piece);
             } else {
-                keep(old);
+                keep(share, {k, wall_body(pieces_[p].wall), piece});
             }
         }
     }
@@ -235,6 +287,23 @@ bool before_pair(const PairContacts& p, const PairContacts& q) {
     if (wall_p) return p.i < q.i || (p.i == q.i && p.piece < q.piece);
     return p.j < q.j || (p.j == q.j && p.i < q.i);
 }
+
+}  // namespace
+
+/// What the last detection has found of a pair; pairs are asked for in order.
+void GapDetection::keep(Share& share, const PairContacts& key) const {
+    if (share.cursor == 0) {
+        share.cursor = static_cast<std::size_t>(
+            std::lower_bound(last_pairs_.begin(), last_pairs_.end(), key, before_pair) - last_pairs_.begin());
+    }
+    while (share.cursor < last_pairs_.size() && before_pair(last_pairs_[share.cursor], key)) ++share.cursor;
+    if (share.cursor == last_pairs_.size() || before_pair(key, last_pairs_[share.cursor])) return;
+    const PairContacts& pair = last_pairs_[share.cursor];
+    store(share, pair,
+          std::span(last_points_).subspan(static_cast<std::size_t>(pair.first), static_cast<std::size_t>(pair.count)));
+}
+
+namespace {
 
 void take_over(GapContact& now, GapContact& old) {
     now.normal_impulse = old.normal_impulse;
@@ -276,11 +345,11 @@ void match_pair(std::span<GapContact> now, std::span<GapContact> old) {
 
 void GapDetection::match(const std::vector<PairContacts>& old_pairs, std::vector<GapContact>& old_contacts) {
     std::size_t old = 0;
-    for (const PairContacts& pair : pairs_) {
+    for (const PairContacts& pair : found_.pairs) {
         while (old < old_pairs.size() && before_pair(old_pairs[old], pair)) ++old;
         if (old == old_pairs.size()) break;
         if (before_pair(pair, old_pairs[old])) continue;
-        match_pair({contacts_.data() + pair.first, static_cast<std::size_t>(pair.count)},
+        match_pair({found_.contacts.data() + pair.first, static_cast<std::size_t>(pair.count)},
                    {old_contacts.data() + old_pairs[old].first, static_cast<std::size_t>(old_pairs[old].count)});
     }
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "src/core/parallel.h"
 #include "src/detect/gap_points.h"
 #include "src/detect/pair_list.h"
 #include "src/engines/contact/gap_contact.h"
@@ -29,8 +31,10 @@ struct PairContacts {
 
 /// Finds the speculative contacts of a configuration and, in the same pass, which bodies overlap in it.
 ///
-/// The list of pairs is kept over steps (PairList); every listed pair is looked at whenever detect() runs. Order of the
-/// result: pairs of grains ascending, then grains with wall pieces ascending.
+/// The list of pairs is kept over steps (PairList). Whatever has not moved by a single bit since it was looked at, and
+/// looks as far ahead as then, has the contacts that it had: the rest of a bed costs a copy. Order of the result: pairs
+/// of grains ascending, then grains with wall pieces ascending; threads take runs of both, so that it does not depend
+/// on their number.
 class GapDetection {
 public:
     explicit GapDetection(const Scene& scene);
@@ -43,10 +47,10 @@ public:
     /// Detects again only what a moved grain takes part in; the rest is kept.
     void detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved);
 
-    std::vector<GapContact>& contacts() { return contacts_; }
-    const std::vector<GapContact>& contacts() const { return contacts_; }
-    std::vector<PairContacts>& pairs() { return pairs_; }
-    const std::vector<PairContacts>& pairs() const { return pairs_; }
+    std::vector<GapContact>& contacts() { return found_.contacts; }
+    const std::vector<GapContact>& contacts() const { return found_.contacts; }
+    std::vector<PairContacts>& pairs() { return found_.pairs; }
+    const std::vector<PairContacts>& pairs() const { return found_.pairs; }
     const std::vector<GrainPair>& near_pairs() const { return list_.pairs(); }
 
     /// The gap at which two bodies rest [m]: k_resting of the smaller one's mean diameter.
@@ -63,9 +67,33 @@ private:
     void place_walls(double time_before, double time_now);
     void find_agitation(const PoseSet& now, const std::vector<SolverBody>& bodies, double dt);
     double margin(BodyIndex i, BodyIndex j) const;
-    void detect_pair(const PoseSet& now, GrainIndex a, GrainIndex b);
-    void detect_wall(const PoseSet& before, const PoseSet& now, GrainIndex k, std::int32_t piece);
-    void store(BodyIndex i, BodyIndex j, std::int32_t piece, bool overlapping);
+    void find_moved(const PoseSet& before, const PoseSet& now);
+
+    /// Contacts in the order of their pairs, and the bare points that they were made from.
+    struct Found {
+        std::vector<GapContact> contacts;
+        std::vector<PairContacts> pairs;
+        std::vector<GapPoint> points;
+
+        void clear();
+        void append(const Found& more);
+    };
+    /// What a thread works on: a run of pairs, or of grains with walls.
+    struct Share {
+        Found found;
+        std::vector<GapPoint> scratch;
+        std::size_t cursor = 0;  ///< in the last detection's pairs
+    };
+
+    void detect_again(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved);
+    void detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& now,
+                      const std::vector<char>& moved) const;
+    void detect_walls(Share& share, GrainIndex first, GrainIndex last, const PoseSet& before, const PoseSet& now,
+                      const std::vector<char>& moved) const;
+    void keep(Share& share, const PairContacts& key) const;
+    void detect_pair(Share& share, const PoseSet& now, GrainIndex a, GrainIndex b) const;
+    void detect_wall(Share& share, const PoseSet& before, const PoseSet& now, GrainIndex k, std::int32_t piece) const;
+    void store(Share& share, const PairContacts& pair, std::span<const GapPoint> points) const;
 
     struct Piece {
         int wall;
@@ -73,6 +101,7 @@ private:
     };
 
     const Scene& scene_;
+    Parallel parallel_;
     PairList list_;
     std::vector<double> diameter_;
     std::vector<double> look_ahead_;  ///< per grain: dt x the largest speed relative to anything near [m]
@@ -80,9 +109,16 @@ private:
     std::vector<Piece> pieces_;
     std::vector<double> wall_speed_;
     double gravity_way_ = 0.0;  ///< 2 g dt^2
-    std::vector<GapContact> contacts_, kept_;
-    std::vector<PairContacts> pairs_, kept_pairs_;
-    std::vector<GapPoint> points_;
+    Found found_;
+    std::vector<Share> shares_;
+    // Of the last detection: its pairs and points, and what it saw.
+    std::vector<PairContacts> last_pairs_;
+    std::vector<GapPoint> last_points_;
+    std::vector<Pose> seen_;
+    std::vector<double> seen_ahead_;
+    double seen_gravity_way_ = 0.0;
+    std::size_t seen_pieces_ = 0;
+    std::vector<char> moved_;
 };
 
 }  // namespace polargrain

@@ -10,21 +10,22 @@
 namespace polargrain {
 
 void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
-                        PoseSet& trial, std::int64_t step, double time, double dt, int sweeps, StepReport& report) {
+                        PoseSet& trial, std::int64_t step, double time, double dt, const Effort& effort,
+                        StepReport& report) {
     start_ = &start;
     halfway_.find(start, bodies, dt);
     prepare(contacts, bodies);
     find_moving_walls(contacts);
     grains_ = bodies.size();
     bodies_ = bodies;
-    lanes_.lay_out(contacts, bodies_, scene_.threads);
+    lanes_.lay_out(contacts, start.centre, bodies_);
     impacts_.begin({&contacts, &lanes_, &bodies_, &trial, &halfway_, &report, step, time, dt});
     impacts_.find_all_closing(closing_);
     const double h = dt / k_sub_steps;
     for (int s = 0; s < k_sub_steps; ++s) {
         set_wall_velocities(contacts, time + (s + 0.5) * h);
         impacts_.run(closing_, h);
-        lasting(contacts, h, sweeps, s == 0);
+        lasting(contacts, h, effort, s == 0);
         keep_energy(contacts, h);
         move(contacts, trial, h, report);
     }
@@ -91,7 +92,7 @@ void GapSolver::set_wall_velocities(std::vector<GapContact>& contacts, double ti
 
 /// The first guess of the impulses is what they were in the sub-step before; as nothing else has changed, their sum on
 /// a grain is what they gave it then.
-void GapSolver::lasting(std::vector<GapContact>& contacts, double h, int sweeps, bool first) {
+void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Effort& effort, bool first) {
     const Vec2 kick = h * scene_.gravity;
     velocity_before_.resize(grains_);
     spin_before_.resize(grains_);
@@ -110,15 +111,36 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, int sweeps,
             if (c.normal_impulse > 0.0) push(c, bodies_, c.normal_impulse, c.tangent_impulse);
         }
     }
-    const double settled = k_settled * std::sqrt(kick.squaredNorm());
-    for (int s = 0; s < sweeps; ++s) {
+    const double settled = effort.settled * std::sqrt(kick.squaredNorm());
+    const bool resting = rests(h);
+    for (int s = 0; s < effort.sweeps && !resting; ++s) {
         if (!lanes_.sweep(bodies_, h, settled, s % 2 != 0)) break;
     }
+    if (resting) stop();
     pushed_.assign(bodies_.size(), 0);
     lanes_.mark_pushed(pushed_);
     for (std::size_t k = 0; k < grains_; ++k) {
         if (!pushed_[k]) continue;
         push_[k] = {bodies_[k].velocity - (velocity_before_[k] + kick), bodies_[k].spin - spin_before_[k]};
+    }
+}
+
+/// Does the first guess hold every grain in its place? Then it is the solution, and the bed stays still to the last bit
+/// (see Stillness) instead of following round-off for ever.
+bool GapSolver::rests(double h) const {
+    if (!moving_.empty()) return false;
+    const double still = k_still * h * std::sqrt(scene_.gravity.squaredNorm());
+    for (std::size_t k = 0; k < grains_; ++k) {
+        const double surface = bodies_[k].spin * outer_radius(scene_.shape_of(static_cast<GrainIndex>(k)));
+        if (bodies_[k].velocity.squaredNorm() + surface * surface >= still * still) return false;
+    }
+    return true;
+}
+
+void GapSolver::stop() {
+    for (std::size_t k = 0; k < grains_; ++k) {
+        bodies_[k].velocity = Vec2::Zero();
+        bodies_[k].spin = 0.0;
     }
 }
 

@@ -27,16 +27,23 @@ namespace polargrain {
 class GapSolver {
 public:
     static constexpr int k_sub_steps = 8;
-    static constexpr int k_sweeps = 4;
-    static constexpr int k_careful_sweeps = 8;
-    static constexpr double k_settled = 1e-3;  ///< of g h: a sweep that changes no velocity by more ends the solve
+    /// How hard the lasting contacts are solved in a sub-step.
+    struct Effort {
+        int sweeps;      ///< at most
+        double settled;  ///< of g h: a sweep that changes no velocity by more ends the solve
+    };
+    static constexpr Effort k_usual{4, 1e-3};
+    static constexpr Effort k_careful{8, 1e-3};    ///< where many grains overlap
+    static constexpr Effort k_unmoved{64, 1e-10};  ///< where the last step has moved nothing: the forces alone are left
 
-    explicit GapSolver(const Scene& scene) : scene_(scene), halfway_(scene), impacts_(scene) {}
+    static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
+
+    explicit GapSolver(const Scene& scene) : scene_(scene), halfway_(scene), impacts_(scene), lanes_(scene) {}
 
     /// Advances bodies and trial poses from time to time + dt. `start` are the poses at which the contacts were found;
     /// the trial poses equal them at first. Fills impulses and losses of the report.
     void advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
-                 PoseSet& trial, std::int64_t step, double time, double dt, int sweeps, StepReport& report);
+                 PoseSet& trial, std::int64_t step, double time, double dt, const Effort& effort, StepReport& report);
 
     /// Lever arms and effective masses for poses that stand still.
     void prepare_at_rest(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
@@ -48,7 +55,9 @@ private:
     void find_moving_walls(const std::vector<GapContact>& contacts);
     void set_wall_velocities(std::vector<GapContact>& contacts, double time);
 
-    void lasting(std::vector<GapContact>& contacts, double h, int sweeps, bool first);
+    void lasting(std::vector<GapContact>& contacts, double h, const Effort& effort, bool first);
+    bool rests(double h) const;
+    void stop();
     void keep_energy(const std::vector<GapContact>& contacts, double h);
     void move(std::vector<GapContact>& contacts, PoseSet& trial, double h, StepReport& report);
     void leave_edge(std::size_t contact, GapContact& c, StepReport& report);

@@ -1,0 +1,36 @@
+#include "src/core/parallel.h"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace polargrain {
+
+struct Parallel::Team {
+    // More than there are processors would only wait for one another.
+    explicit Team(int threads) : arena(std::min(threads, tbb::info::default_concurrency())) {}
+    tbb::task_arena arena;
+};
+
+Parallel::Parallel(int threads) : threads_(threads) {
+    if (threads > 1) team_ = std::make_unique<Team>(threads);
+}
+
+Parallel::~Parallel() = default;
+Parallel::Parallel(Parallel&&) noexcept = default;
+Parallel& Parallel::operator=(Parallel&&) noexcept = default;
+
+void Parallel::each(std::size_t count, const std::function<void(std::size_t)>& piece) const {
+    if (!team_ || count < 2) {
+        for (std::size_t k = 0; k < count; ++k) piece(k);
+        return;
+    }
+    team_->arena.execute([&] {
+        tbb::parallel_for(
+            std::size_t{0}, count, [&](std::size_t k) { piece(k); }, tbb::simple_partitioner());
+    });
+}
+
+}  // namespace polargrain

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace polargrain {
+
+/// Runs the pieces of a loop on several threads.
+///
+/// Pieces are taken by whichever thread is free, so that a thread that the system does not serve holds up nothing but
+/// the piece that it is in. What a piece computes must not depend on the others; where they are to be summed, each
+/// keeps its own sum, and these are added in order afterwards: then any number of threads gives the same bits.
+class Parallel {
+public:
+    /// threads: at least 1; 1 runs everything where it is called.
+    explicit Parallel(int threads);
+    ~Parallel();
+    Parallel(Parallel&&) noexcept;
+    Parallel& operator=(Parallel&&) noexcept;
+
+    int threads() const { return threads_; }
+
+    /// Calls piece(0) ... piece(count - 1), each once, in any order; returns when all are done. An exception of a piece
+    /// is passed on.
+    void each(std::size_t count, const std::function<void(std::size_t)>& piece) const;
+
+private:
+    struct Team;
+    int threads_;
+    std::unique_ptr<Team> team_;  ///< none for one thread
+};
+
+}  // namespace polargrain
