@@ -19,7 +19,7 @@ std::vector<Piece> no_pieces(const std::vector<std::string>& /*engines*/) { retu
 }  // namespace
 
 std::span<const Figure> figures() {
-    static const std::array<Figure, 12> table{{
+    static const std::array<Figure, 13> table{{
         {"fig2", "Figure 2: a particle in polar form", no_pieces, draw_fig2},
         {"fig5", "Figure 5: is a vertex inside a grain?", no_pieces, draw_fig5},
         {"fig7", "Figure 7: normal direction of impact", no_pieces, draw_fig7},
@@ -32,6 +32,7 @@ std::span<const Figure> figures() {
         {"fig16", "Figure 16: rough grains out of a square bin", fig16_pieces, draw_fig16},
         {"fig17", "Figure 17: sticks out of a square bin", fig17_pieces, draw_fig17},
         {"efficiency", "Section 4.4: efficiency", efficiency_pieces, draw_efficiency},
+        {"kuo-mixer", "Kuo et al. 2002: a V-mixer under eight sets of parameters", mixer_pieces, draw_mixer},
     }};
     return table;
 }

@@ -28,7 +28,7 @@ private:
     std::vector<std::string> engines_;
 };
 
-/// A figure, table or statement of the paper.
+/// A figure, table or statement of the paper; at the end, what is from another one.
 struct Figure {
     std::string id;  ///< as asked for on the command line
     std::string title;

@@ -166,7 +166,7 @@ void Report::write(const std::string& engines) const {
                     "figure</h1>\n<p>C. Hogue, D. Newland, Powder Technology 78 (1994) 51-66 [HN94]. Drawn by "
                     "polargrain {} ({}; {}), "
                     "engines {}. <code>contact-1994</code> is the published method to the letter, <code>contact</code> "
-                    "the refined one. A "
+                    "the refined one. Kuo's mixer is from [K02]. A "
                     "verdict counts the numbers that lie within the band they are held to; bands and reasons stand "
                     "beside each.</p>\n"
                     "<table><caption>Verdicts</caption>\n{}{}</table>\n{}</body></html>\n",

@@ -31,6 +31,9 @@ FigureResult draw_fig17(const FigureDesk& desk);
 /// What a simulated second costs. [HN94, sec. 4.4]
 std::vector<Piece> efficiency_pieces(const Engines& engines);
 FigureResult draw_efficiency(const FigureDesk& desk);
+/// A V-mixer under eight sets of parameters. [K02, Table 2]
+std::vector<Piece> mixer_pieces(const Engines& engines);
+FigureResult draw_mixer(const FigureDesk& desk);
 
 /// A shipped scenario as a piece, with values laid over it as by --set.
 Piece shipped_piece(const std::string& scenario, const std::string& engine, unsigned seed,

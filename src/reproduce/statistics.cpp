@@ -20,6 +20,39 @@ MeanSpread mean_and_spread(const std::vector<double>& values) {
     return {mean, count > 1.0 ? std::sqrt(squares / (count - 1.0)) : 0.0};
 }
 
+namespace {
+
+/// Twice the rank, less one: how many are smaller, and how many are not larger.
+std::vector<double> ranks(const std::vector<double>& values) {
+    std::vector<double> result;
+    for (const double v : values) {
+        double rank = 0.0;
+        for (const double other : values) rank += (other < v ? 1.0 : 0.0) + (other <= v ? 1.0 : 0.0);
+        result.push_back(rank);
+    }
+    return result;
+}
+
+}  // namespace
+
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> of_a, of_b;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        if (!std::isfinite(a[k]) || !std::isfinite(b[k])) continue;
+        of_a.push_back(a[k]);
+        of_b.push_back(b[k]);
+    }
+    const std::vector<double> rank_a = ranks(of_a), rank_b = ranks(of_b);
+    const double mean_a = mean_and_spread(rank_a).mean, mean_b = mean_and_spread(rank_b).mean;
+    double both = 0.0, only_a = 0.0, only_b = 0.0;
+    for (std::size_t k = 0; k < rank_a.size(); ++k) {
+        both += (rank_a[k] - mean_a) * (rank_b[k] - mean_b);
+        only_a += (rank_a[k] - mean_a) * (rank_a[k] - mean_a);
+        only_b += (rank_b[k] - mean_b) * (rank_b[k] - mean_b);
+    }
+    return only_a > 0.0 && only_b > 0.0 ? both / std::sqrt(only_a * only_b) : std::nan("");
+}
+
 Series histogram(const std::vector<double>& values, double low, double high, int bins, const std::string& label,
                  int colour) {
     Series series{.label = label, .style = SeriesStyle::bars, .colour = colour};
