@@ -140,12 +140,7 @@ FigureTable numbers_of_sets(const std::vector<MixerSetRuns>& sets) {
 }  // namespace
 
 std::vector<Piece> mixer_pieces(const Engines& engines) {
-    std::vector<Piece> pieces;
-    if (at_hand({k_mixer_engine}, engines).empty()) return pieces;
-    for (const MixerSet& set : k_mixer_sets) {
-        for (unsigned seed = 1; seed <= k_mixer_seeds; ++seed) pieces.push_back(mixer_piece(set, seed));
-    }
-    return pieces;
+    return at_hand({k_mixer_engine}, engines).empty() ? std::vector<Piece>{} : mixer_pieces();
 }
 
 FigureResult draw_mixer(const FigureDesk& desk) {
@@ -164,6 +159,7 @@ FigureResult draw_mixer(const FigureDesk& desk) {
         draw_mixer_sheet(desk, 'G'),
         draw_mixer_sheet(desk, 'E'),
         {desk.stem("kuo-mixer-sets"), "What is measured of the eight sets, mean of the seeds; bars of E are cut off"},
+        draw_mixer_rates(desk, sets),
         draw_mixer_velocities(desk, sets),
         draw_mixer_temperatures(desk, sets)};
     result.tables = {table_of_sets(sets), table_of_orders(sets)};
@@ -171,13 +167,13 @@ FigureResult draw_mixer(const FigureDesk& desk) {
     write_table(numbers_of_sets(sets), desk.stem("kuo-mixer-numbers.csv"));
     write_table(result.tables.back(), desk.stem("kuo-mixer-orders.csv"));
     result.paragraphs = {
-        fmt::format(
-            "The scenario v-mixer with the eight sets of parameters, 60 turns a minute for 8 s, of which the "
-            "first turn is left out; {} seeds each, 476 disks. All is seen from the vessel, in the plane of its "
-            "V: gravity times the sine of the angle turned acts along the V's line of symmetry. Exchange, "
-            "circulation, dispersion and temperature are those of [K02], on its cells of 7.35 mm; the "
-            "temperature is per degree of freedom, half of the sum of [K02, eq. 16] in the plane.",
-            k_mixer_seeds),
+        fmt::format("The scenario v-mixer with the eight sets of parameters, 60 turns a minute for 8 s, of which the "
+                    "first turn is left out; {} seeds each, 476 disks; and at 30 and 45 turns a minute with one seed. "
+                    "All is seen from the vessel, in the plane of its "
+                    "V: gravity times the sine of the angle turned acts along the V's line of symmetry. Exchange, "
+                    "circulation, dispersion and temperature are those of [K02], on its cells of 7.35 mm; the "
+                    "temperature is per degree of freedom, half of the sum of [K02, eq. 16] in the plane.",
+                    k_mixer_seeds),
         "What two dimensions can show: how grains divide and combine, collisions and friction where they flow, and so "
         "how the parameters change speed, scatter and the exchange through the join. What they cannot: gravity across "
         "the V, which presses grains against the round wall and holds them at rest there until an arm is steep enough; "

@@ -92,7 +92,7 @@ FigurePicture draw_mixer_sheet(const FigureDesk& desk, char set) {
         make_frame_style(settings, recording.scene(), fmt::format("V-mixer, set {}: its fourth turn", set));
     std::vector<LabelledFrame> cells;
     for (int k = 0; k < 10; ++k) {
-        const double time = (3.0 + 0.1 * k) * k_mixer_period;
+        const double time = (3.0 + 0.1 * k) * 60.0 / k_mixer_rate;
         int f = 0;
         while (f + 1 < recording.frames() && recording.time(f) < time) ++f;
         cells.push_back({f, fmt::format("{}°", 36 * k)});
@@ -106,6 +106,32 @@ FigurePicture draw_mixer_sheet(const FigureDesk& desk, char set) {
     return {stem, fmt::format("Set {}: dividing (0° to 180°) and combining (180° to 360°), as in [K02, Figs. 5, 6]; "
                               "colours tell where grains started",
                               set)};
+}
+
+FigurePicture draw_mixer_rates(const FigureDesk& desk, const std::vector<MixerSetRuns>& sets) {
+    Panel exchange{.title = "exchange",
+                   .x_label = "turns a minute",
+                   .y_label = "per grain and turn",
+                   .y_range = std::pair{0.02, 3.0},
+                   .log_y = true,
+                   .key = KeyPlace::none};
+    Panel circulation{
+        .title = "circulation", .x_label = "period [s]", .y_label = "circulation time [s]", .key = KeyPlace::outside};
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        Series over_rate{.label = name_of(s), .style = SeriesStyle::line_points, .colour = static_cast<int>(s)};
+        Series over_period = over_rate;
+        for (std::size_t k = 0; k < k_mixer_rates.size(); ++k) {
+            over_rate.x.push_back(k_mixer_rates[k]);
+            over_rate.y.push_back(sets[s].by_rate[k].exchange);
+            over_period.x.push_back(60.0 / k_mixer_rates[k]);
+            over_period.y.push_back(sets[s].by_rate[k].circulation);
+        }
+        exchange.series.push_back(std::move(over_rate));
+        circulation.series.push_back(std::move(over_period));
+    }
+    write_plot({"The eight sets at three speeds", {exchange, circulation}, 2, 1500, 560}, desk.stem("kuo-mixer-rates"));
+    return {desk.stem("kuo-mixer-rates"),
+            "Exchange and circulation time over the speed of the mixer, seed 1, after [K02, Figs. 12, 14]"};
 }
 
 FigurePicture draw_mixer_velocities(const FigureDesk& desk, const std::vector<MixerSetRuns>& sets) {

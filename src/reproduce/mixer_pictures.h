@@ -11,6 +11,8 @@ namespace polargrain {
 
 /// Ten instants of one turn of a set, seed 1, as in [K02, Figs. 5, 6].
 FigurePicture draw_mixer_sheet(const FigureDesk& desk, char set);
+/// Exchange and circulation time over the speed of the mixer, as in [K02, Figs. 12, 14].
+FigurePicture draw_mixer_rates(const FigureDesk& desk, const std::vector<MixerSetRuns>& sets);
 /// Mean velocity per cell for each set, as in [K02, Fig. 7].
 FigurePicture draw_mixer_velocities(const FigureDesk& desk, const std::vector<MixerSetRuns>& sets);
 /// Granular temperature per cell for each set, as in [K02, Fig. 11].

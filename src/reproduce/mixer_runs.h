@@ -29,26 +29,30 @@ inline constexpr std::array<MixerSet, 8> k_mixer_sets{{{'A', 0.9, 0.3, 0.3, 1000
                                                        {'H', 0.9, 0.3, 0.0, 1000.0}}};
 inline constexpr const char* k_mixer_engine = "dem";
 inline constexpr unsigned k_mixer_seeds = 2;
-inline constexpr double k_mixer_period = 1.0;     ///< of the shipped mixer: 60 turns a minute [s]
-inline constexpr double k_mixer_cell = 7.35e-3;   ///< [K02, sec. 4.1] [m]
-inline constexpr double k_dispersion_time = 0.2;  ///< [K02, sec. 4.5] [s]
+inline constexpr double k_mixer_rate = 60.0;                          ///< turns a minute of the shipped mixer
+inline constexpr std::array k_mixer_rates{30.0, 45.0, k_mixer_rate};  ///< those compared [K02, Figs. 12, 14]
+inline constexpr double k_mixer_cell = 7.35e-3;                       ///< [K02, sec. 4.1] [m]
+inline constexpr double k_dispersion_time = 0.2;                      ///< [K02, sec. 4.5] [s]
 
-/// The shipped mixer with these parameters, as long as the runs of [K02]: 8 s.
-Piece mixer_piece(const MixerSet& set, unsigned seed);
+/// The shipped mixer with these parameters, as long as the runs of [K02]: 8 s. rate: turns a minute.
+Piece mixer_piece(const MixerSet& set, unsigned seed, double rate = k_mixer_rate);
+/// Those of all sets: all seeds at k_mixer_rate, and the first seed at the others.
+std::vector<Piece> mixer_pieces();
 
 /// Where grains are and how fast, seen from the vessel, which does not turn; the V has its point in the origin.
 struct MixerTrack {
+    double period = 1.0;                      ///< of a turn [s]
     std::vector<double> time;                 ///< of the stored frames [s]
     std::vector<std::vector<Vec2>> place;     ///< by grain, then frame [m]
     std::vector<std::vector<Vec2>> velocity;  ///< alike [m/s]
 };
 
-/// From the second turn on.
-MixerTrack read_mixer_track(const std::filesystem::path& run);
+/// From the second turn on. rate: turns a minute.
+MixerTrack read_mixer_track(const std::filesystem::path& run, double rate);
 
 /// True in the first half of each turn, while grains divide into the arms; in the second half they combine. [K02, Fig.
 /// 4]
-bool divides(double time);
+bool divides(double time, double period);
 
 /// Adds all grains at all times.
 void add_to(CellField& field, const MixerTrack& track);
@@ -67,10 +71,11 @@ struct MixerRun {
 
 MixerRun measure_mixer(const MixerTrack& track);
 
-/// All seeds of one set.
+/// All runs of one set.
 struct MixerSetRuns {
-    std::vector<MixerRun> runs;
+    std::vector<MixerRun> runs;          ///< by seed, at k_mixer_rate
     std::vector<CellField::Cell> cells;  ///< of all seeds together
+    std::vector<MixerRun> by_rate;       ///< at each of k_mixer_rates, the first seed
 };
 
 /// Reads and measures what all sets have left.

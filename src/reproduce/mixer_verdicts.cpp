@@ -72,8 +72,8 @@ void add_motion(std::vector<Finding>& findings, const std::vector<MixerSetRuns>&
                             "[K02, sec. 4.1]: no difference"));
     findings.push_back(
         held("speed of C over that of A", speed[at('C')] / speed[at('A')], {0.0, 1.0}, "", "[K02, sec. 4.1]: slower"));
-    findings.push_back(held("circulation time of A over the period", circulation[at('A')] / k_mixer_period, {0.3, 1.5},
-                            "", "[K02, Fig. 14]: of the order of the period"));
+    findings.push_back(held("circulation time of A over the period", circulation[at('A')] * k_mixer_rate / 60.0,
+                            {0.3, 1.5}, "", "[K02, Fig. 14]: of the order of the period"));
     double apart = 1.0;
     for (const char set : {'B', 'C', 'D', 'F', 'G', 'H'}) {
         apart =
@@ -81,6 +81,21 @@ void add_motion(std::vector<Finding>& findings, const std::vector<MixerSetRuns>&
     }
     findings.push_back(held("circulation time, all but E: largest ratio to that of A", apart, {1.0, 2.0}, "",
                             "[K02, Fig. 14]: of one order"));
+}
+
+/// Whether the circulation time gets longer at each slower speed.
+bool rises_with_the_period(const MixerSetRuns& set) {
+    return std::ranges::is_sorted(set.by_rate, std::ranges::greater{}, &MixerRun::circulation);
+}
+
+void add_rates(std::vector<Finding>& findings, const std::vector<MixerSetRuns>& sets) {
+    const auto rising = std::ranges::count_if(sets, rises_with_the_period);
+    const bool e_rises = rises_with_the_period(sets[at('E')]);
+    findings.push_back(held("sets but E whose circulation time rises with the period",
+                            static_cast<double>(rising - (e_rises ? 1 : 0)), {7.0, 7.0}, "", "[K02, sec. 4.4]: all"));
+    findings.push_back(held("the same of E, 1 for yes", e_rises ? 1.0 : 0.0, {0.0, 0.0}, "", "[K02, sec. 4.4]: no",
+                            "it rises by less than a tenth over twice the period, where the others rise by four "
+                            "fifths"));
 }
 
 }  // namespace
@@ -147,6 +162,7 @@ std::vector<Finding> mixer_findings(const std::vector<MixerSetRuns>& sets) {
     add_orders(findings, sets);
     add_exchange(findings, sets);
     add_motion(findings, sets);
+    add_rates(findings, sets);
     return findings;
 }
 

@@ -123,9 +123,10 @@ MixerTrack round_the_arms() {
     MixerTrack track;
     track.place.resize(2);
     track.velocity.resize(2);
-    const double turn = 2.0 * std::numbers::pi / k_mixer_period;
-    for (int k = 0; k < 350; ++k) {
-        const double t = 1.0 + 0.02 * k + 1e-4;
+    track.period = 2.0;
+    const double turn = 2.0 * std::numbers::pi / track.period;
+    for (int k = 0; k < 700; ++k) {
+        const double t = 2.0 + 0.02 * k + 1e-4;
         track.time.push_back(t);
         const double up = 0.08 - 0.06 * std::cos(turn * t);
         track.place[0].emplace_back(0.05, up);
@@ -141,14 +142,14 @@ TEST(MixerRuns, AreMeasuredByTheMotionOfTheirGrains) {
     EXPECT_NEAR(run.exchange, 1.0, 0.03) << "one of two grains, there and back in each turn";
     EXPECT_NEAR(run.exchange_dividing, 0.5, 0.05) << "at a quarter and at three quarters of the turn";
     // Above 60 mm while 0.08 - 0.06 cos > 0.06, i.e. cos < 1/3.
-    EXPECT_NEAR(run.circulation, k_mixer_period * (1.0 - std::acos(1.0 / 3.0) / std::numbers::pi), 2e-3);
-    EXPECT_GT(run.speed, 0.06 * 4.0 / k_mixer_period) << "at least four amplitudes in a turn";
-    EXPECT_LT(run.speed, 0.08 * 2.0 * std::numbers::pi / k_mixer_period);
+    EXPECT_NEAR(run.circulation, 2.0 * (1.0 - std::acos(1.0 / 3.0) / std::numbers::pi), 2e-3);
+    EXPECT_GT(run.speed, 0.06 * 4.0 / 2.0) << "at least four amplitudes in a turn";
+    EXPECT_LT(run.speed, 0.08 * 2.0 * std::numbers::pi / 2.0);
 }
 
 TEST(MixerRuns, DivideInTheFirstHalfOfATurn) {
-    EXPECT_TRUE(divides(3.0) && divides(3.49));
-    EXPECT_FALSE(divides(3.5) || divides(3.99));
+    EXPECT_TRUE(divides(3.0, 1.0) && divides(3.49, 1.0) && divides(2.9, 2.0));
+    EXPECT_FALSE(divides(3.5, 1.0) || divides(3.99, 1.0) || divides(3.1, 2.0));
 }
 
 TEST(MixerPieces, CarryTheParametersOfTheirSet) {
@@ -157,6 +158,11 @@ TEST(MixerPieces, CarryTheParametersOfTheirSet) {
     const std::string b = mixer_piece(k_mixer_sets[1], 2).scenario;
     EXPECT_THAT(b, ::testing::HasSubstr("stiffness = 250000"));
     EXPECT_NE(mixer_piece(k_mixer_sets[0], 1).scenario, h);
+    // g / (2 pi f)^2 and g / (2 pi f) at half a turn a second.
+    const std::string slow = mixer_piece(k_mixer_sets[0], 1, 30.0).scenario;
+    EXPECT_THAT(slow, ::testing::HasSubstr("amplitude = 0.99396"));
+    EXPECT_THAT(slow, ::testing::HasSubstr("velocity = [0.0, 3.12261"));
+    EXPECT_EQ(mixer_pieces().size(), 32U) << "eight sets: two seeds, and two more speeds";
     EXPECT_NE(mixer_piece(k_mixer_sets[0], 1).name, mixer_piece(k_mixer_sets[1], 1).name);
 }
 
