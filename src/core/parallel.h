@@ -25,6 +25,15 @@ public:
     /// is passed on.
     void each(std::size_t count, const std::function<void(std::size_t)>& piece) const;
 
+    /// Cuts [0, count) into runs of `length`, the last one shorter, and calls run(first, last) for each.
+    template <typename Run>
+    void runs(std::size_t count, std::size_t length, const Run& run) const {
+        each((count + length - 1) / length, [&](std::size_t k) {
+            const std::size_t first = k * length;
+            run(first, first + length < count ? first + length : count);
+        });
+    }
+
 private:
     struct Team;
     int threads_;

@@ -25,9 +25,9 @@ bool PairList::update(std::span<const Pose> from, std::span<const Pose> to, std:
     margin_.resize(from.size());
     circles_.clear();
     for (std::size_t k = 0; k < from.size(); ++k) {
-        // A grain that moves or looks farther than its margin gets the room that it needs now.
+        // One fast grain must not have the list of all others made anew in every step.
         const double way = std::sqrt((to[k].centre - from[k].centre).squaredNorm());
-        margin_[k] = std::max(k_margin * radii_[k] + clear(k), way + clear(k));
+        margin_[k] = std::max(k_margin * radii_[k] + clear(k), k_ways_ahead * way + clear(k));
         built_at_[k] = to[k].centre;
         circles_.push_back({to[k].centre, radii_[k] + margin_[k]});
     }

@@ -9,8 +9,9 @@ namespace polargrain {
 
 /// Pairs of grains that may touch, kept over several steps (a Verlet list).
 ///
-/// Each grain gets a margin of k_margin of its radius; the list is made anew as soon as one grain has moved farther
-/// than its margin. A pair that is not listed cannot touch. What is listed beyond that never changes a result.
+/// Each grain gets a margin of k_margin of its radius, or of k_ways_ahead times its way in a step; the list is made
+/// anew as soon as one grain has moved farther than its margin. A pair that is not listed cannot touch. What is listed
+/// beyond that never changes a result.
 class PairList {
 public:
     /// For the grains of a scene.
@@ -31,6 +32,7 @@ public:
 
 private:
     static constexpr double k_margin = 0.2;
+    static constexpr double k_ways_ahead = 4.0;
 
     std::vector<double> radii_;
     std::vector<Vec2> built_at_;

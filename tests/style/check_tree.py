@@ -47,6 +47,7 @@ THIRD_PARTY = {
     r"cairo|png\.h|zlib\.h": {"render", "tests"},
     r"CLI/": {"src/cli"},
     r"box2d/": {"src/engines/box2d", "tests"},
+    r"oneapi/tbb/": {"src/core"},
     r"gtest/|gmock/": {"tests"},
     r"benchmark/": {"bench"},
 }

@@ -18,7 +18,8 @@ namespace {
 
 class ContactEngine final : public Engine {
 public:
-    explicit ContactEngine(const Scene& scene) : scene_(scene), detection_(scene), solver_(scene), rejection_(scene) {
+    explicit ContactEngine(const Scene& scene)
+        : scene_(scene), parallel_(std::max(1, scene.threads)), detection_(scene), solver_(scene), rejection_(scene) {
         const double g = std::sqrt(scene.gravity.squaredNorm());
         for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
             opening_unit_ += g * scene.grains.mass[Grains::at(k)] * detection_.resting_gap(k, wall_body(0));
@@ -196,7 +197,10 @@ private:
     }
 
     void refresh_trial() {
-        for (std::size_t k = 0; k < trial_.pose.size(); ++k) trial_.refresh(k);
+        constexpr std::size_t k_run = 1024;
+        parallel_.runs(trial_.pose.size(), k_run, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) trial_.refresh(k);
+        });
     }
 
     /// Many overlapping pairs mean that the solver has not kept up: it works harder for the next steps.
@@ -234,11 +238,7 @@ private:
 
     /// The contacts found at the new poses become those of the next step, with the old impulses as first guesses; the
     /// old ones go back to the detection, which reuses their memory after they have been reported.
-    void hand_over_contacts() {
-        detection_.match(pairs_, contacts_);
-        contacts_.swap(detection_.contacts());
-        pairs_.swap(detection_.pairs());
-    }
+    void hand_over_contacts() { detection_.hand_over(pairs_, contacts_); }
 
     void give_state(World& world, StepReport& report) {
         for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -261,6 +261,7 @@ private:
     }
 
     const Scene& scene_;
+    Parallel parallel_;
     GapDetection detection_;
     GapSolver solver_;
     PositionCorrection correction_;

@@ -8,6 +8,9 @@ namespace polargrain {
 
 namespace {
 
+/// Blocks that a thread takes at a time, where their order does not matter.
+constexpr std::size_t k_blocks_a_run = 128;
+
 constexpr double k_unbounded = std::numeric_limits<double>::infinity();
 
 static_assert(sizeof(SolverBody) == k_body_stride * sizeof(double) && offsetof(SolverBody, velocity) == 0 &&
@@ -114,26 +117,30 @@ void ContactLanes::colour(const std::vector<GapContact>& contacts, std::size_t g
 
 void ContactLanes::fill(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies) {
     const auto count = static_cast<std::size_t>(groups_.back().last);
-    blocks_.assign(count, LaneBlock{});
+    blocks_.resize(count);
     travels_.resize(count);
-    for (TravelBlock& t : travels_) {
-        t = {};
-        std::fill(std::begin(t.low.of), std::end(t.low.of), -k_unbounded);
-        std::fill(std::begin(t.high.of), std::end(t.high.of), k_unbounded);
-        std::fill(std::begin(t.contact), std::end(t.contact), -1);
-    }
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        const std::size_t n = lane(k);
-        LaneBlock& b = block(k);
-        b.i[n] = contacts[k].i;
-        b.j[n] = contacts[k].j;
-        if (is_wall(contacts[k].j)) {
-            b.j[n] = static_cast<std::int32_t>(bodies.size());
-            bodies.emplace_back();
+    parallel_.runs(count, k_blocks_a_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) {
+            blocks_[b] = {};
+            travels_[b] = {};
+            std::fill(std::begin(travels_[b].low.of), std::end(travels_[b].low.of), -k_unbounded);
+            std::fill(std::begin(travels_[b].high.of), std::end(travels_[b].high.of), k_unbounded);
+            std::fill(std::begin(travels_[b].contact), std::end(travels_[b].contact), -1);
         }
-        travels_[place_[k] / k_lanes].contact[n] = static_cast<std::int32_t>(k);
-        put(contacts[k], k, bodies);
+    });
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (!is_wall(contacts[k].j)) continue;
+        block(k).j[lane(k)] = static_cast<std::int32_t>(bodies.size());
+        bodies.emplace_back();
     }
+    parallel_.runs(contacts.size(), k_lanes * k_blocks_a_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            block(k).i[lane(k)] = contacts[k].i;
+            if (!is_wall(contacts[k].j)) block(k).j[lane(k)] = contacts[k].j;
+            travels_[place_[k] / k_lanes].contact[lane(k)] = static_cast<std::int32_t>(k);
+            put(contacts[k], k, bodies);
+        }
+    });
     // Threads may work on blocks at the same time: each with empty lanes gets a body of its own for them.
     for (std::size_t b = 0; b < count; ++b) {
         bool empty = false;
@@ -201,14 +208,12 @@ bool ContactLanes::sweep(std::vector<SolverBody>& bodies, double h, double settl
 
 /// Losses are summed in pieces of a fixed size, whatever the number of threads.
 LaneLosses ContactLanes::move(const std::vector<SolverBody>& bodies, const LaneMove& move) {
-    constexpr std::ptrdiff_t k_piece = 128;
     const LaneKernels& kernels = lane_kernels();
-    const auto blocks = static_cast<std::ptrdiff_t>(blocks_.size());
-    losses_.resize(static_cast<std::size_t>((blocks + k_piece - 1) / k_piece));
-    parallel_.each(losses_.size(), [&](std::size_t p) {
-        const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(p) * k_piece;
-        losses_[p] = kernels.move(blocks_.data(), travels_.data(), first, std::min(blocks, first + k_piece),
-                                  numbers(bodies), move);
+    losses_.resize((blocks_.size() + k_blocks_a_run - 1) / k_blocks_a_run);
+    parallel_.runs(blocks_.size(), k_blocks_a_run, [&](std::size_t first, std::size_t last) {
+        losses_[first / k_blocks_a_run] =
+            kernels.move(blocks_.data(), travels_.data(), static_cast<std::ptrdiff_t>(first),
+                         static_cast<std::ptrdiff_t>(last), numbers(bodies), move);
     });
     LaneLosses sum;
     for (const LaneLosses& piece : losses_) {

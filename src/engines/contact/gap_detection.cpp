@@ -16,6 +16,14 @@ Joint joint_between(const Vec2& before, const Vec2& at, const Vec2& after) {
     return turn > 0.0 ? Joint::left_turn : Joint::right_turn;
 }
 
+bool before_pair(const PairContacts& p, const PairContacts& q) {
+    const bool wall_p = is_wall(p.j);
+    const bool wall_q = is_wall(q.j);
+    if (wall_p != wall_q) return !wall_p;
+    if (wall_p) return p.i < q.i || (p.i == q.i && p.piece < q.piece);
+    return p.j < q.j || (p.j == q.j && p.i < q.i);
+}
+
 }  // namespace
 
 void PoseSet::resize(std::size_t n) {
@@ -196,7 +204,7 @@ void GapDetection::detect(const PoseSet& before, const PoseSet& now, const std::
     list_.update(before.pose, now.pose, clearance_);
 
     find_moved(before, now);
-    detect_again(before, now, moved_);
+    detect_all(before, now);
 }
 
 /// Who has moved, or looks elsewhere, since the last detection.
@@ -215,11 +223,67 @@ void GapDetection::find_moved(const PoseSet& before, const PoseSet& now) {
 }
 
 void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved) {
-    detect_again(before, now, moved);
+    if (found_.contacts.size() > 2 * in_order_) put_in_order();
+    patch_.found.clear();
+    for (const auto& [a, b] : list_.pairs()) {
+        if (moved[Grains::at(a)] || moved[Grains::at(b)]) detect_pair(patch_, now, a, b);
+    }
+    for (GrainIndex k = 0; k < static_cast<GrainIndex>(now.pose.size()); ++k) {
+        if (!moved[Grains::at(k)]) continue;
+        seen_[Grains::at(k)] = now.pose[Grains::at(k)];
+        for (std::size_t p = 0; p < pieces_.size(); ++p) {
+            detect_wall(patch_, before, now, k, static_cast<std::int32_t>(p));
+        }
+    }
+    splice(moved);
+}
+
+/// Puts the pairs of the patch in place of those of moved grains. Contacts of pairs that stay keep their places; the
+/// new ones come behind all others.
+void GapDetection::splice(const std::vector<char>& moved) {
+    const auto offset = static_cast<std::int32_t>(found_.contacts.size());
+    for (PairContacts& pair : patch_.found.pairs) pair.first += offset;
+    found_.contacts.insert(found_.contacts.end(), patch_.found.contacts.begin(), patch_.found.contacts.end());
+    found_.points.insert(found_.points.end(), patch_.found.points.begin(), patch_.found.points.end());
+    std::erase_if(found_.pairs, [&](const PairContacts& pair) {
+        return moved[Grains::at(pair.i)] || (!is_wall(pair.j) && moved[Grains::at(pair.j)]);
+    });
+    const auto middle = static_cast<std::ptrdiff_t>(found_.pairs.size());
+    found_.pairs.insert(found_.pairs.end(), patch_.found.pairs.begin(), patch_.found.pairs.end());
+    std::inplace_merge(found_.pairs.begin(), found_.pairs.begin() + middle, found_.pairs.end(), before_pair);
+    spliced_ = true;
+}
+
+/// Contacts in the order of their pairs again, without those that have been replaced.
+void GapDetection::put_in_order() {
+    if (!spliced_) return;
+    spliced_ = false;
+    Found& ordered = patch_.found;
+    ordered.clear();
+    for (PairContacts pair : found_.pairs) {
+        const auto first = static_cast<std::ptrdiff_t>(pair.first);
+        const auto last = static_cast<std::ptrdiff_t>(pair.first + pair.count);
+        pair.first = static_cast<std::int32_t>(ordered.contacts.size());
+        ordered.pairs.push_back(pair);
+        ordered.contacts.insert(ordered.contacts.end(), found_.contacts.begin() + first,
+                                found_.contacts.begin() + last);
+        ordered.points.insert(ordered.points.end(), found_.points.begin() + first, found_.points.begin() + last);
+    }
+    std::swap(found_, ordered);
+    in_order_ = found_.contacts.size();
+}
+
+void GapDetection::hand_over(std::vector<PairContacts>& pairs, std::vector<GapContact>& contacts) {
+    put_in_order();
+    match(pairs, contacts);
+    last_pairs_ = found_.pairs;
+    handed_over_ = true;
+    pairs.swap(found_.pairs);
+    contacts.swap(found_.contacts);
 }
 
 /// Threads take runs of the pairs, and of the grains with their walls; one after the other their finds are in order.
-void GapDetection::detect_again(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved) {
+void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     constexpr std::size_t k_pairs_a_run = 300;
     constexpr std::size_t k_runs_a_thread = 4;  // so that one that takes longer holds up the others less
     const std::span<const GrainPair> pairs = list_.pairs();
@@ -227,6 +291,12 @@ void GapDetection::detect_again(const PoseSet& before, const PoseSet& now, const
     const std::size_t runs =
         threads == 1 ? 1 : std::clamp<std::size_t>(pairs.size() / k_pairs_a_run, 1, k_runs_a_thread * threads);
     const std::size_t grains = now.pose.size();
+    if (!handed_over_) {
+        put_in_order();
+        last_pairs_ = found_.pairs;
+    }
+    handed_over_ = false;
+    last_points_.swap(found_.points);
     shares_.resize(2 * runs);
     parallel_.each(shares_.size(), [&](std::size_t s) {
         Share& share = shares_[s];
@@ -234,27 +304,25 @@ void GapDetection::detect_again(const PoseSet& before, const PoseSet& now, const
         const std::size_t part = s % runs;
         if (s < runs) {
             const std::size_t first = pairs.size() * part / runs;
-            detect_pairs(share, pairs.subspan(first, pairs.size() * (part + 1) / runs - first), now, moved);
+            detect_pairs(share, pairs.subspan(first, pairs.size() * (part + 1) / runs - first), now);
         } else {
             detect_walls(share, static_cast<GrainIndex>(grains * part / runs),
-                         static_cast<GrainIndex>(grains * (part + 1) / runs), before, now, moved);
+                         static_cast<GrainIndex>(grains * (part + 1) / runs), before, now);
         }
     });
     found_.contacts.swap(shares_[0].found.contacts);
     found_.pairs.swap(shares_[0].found.pairs);
     found_.points.swap(shares_[0].found.points);
     for (std::size_t s = 1; s < shares_.size(); ++s) found_.append(shares_[s].found);
-    last_pairs_ = found_.pairs;
-    last_points_.swap(found_.points);
+    in_order_ = found_.contacts.size();
     seen_ = now.pose;
     seen_pieces_ = pieces_.size();
 }
 
-void GapDetection::detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& now,
-                                const std::vector<char>& moved) const {
+void GapDetection::detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& now) const {
     share.cursor = 0;
     for (const auto& [a, b] : pairs) {
-        if (moved[Grains::at(a)] || moved[Grains::at(b)]) {
+        if (moved_[Grains::at(a)] || moved_[Grains::at(b)]) {
             detect_pair(share, now, a, b);
         } else {
             keep(share, {b, a});
@@ -263,13 +331,13 @@ void GapDetection::detect_pairs(Share& share, std::span<const GrainPair> pairs, 
 }
 
 void GapDetection::detect_walls(Share& share, GrainIndex first, GrainIndex last, const PoseSet& before,
-                                const PoseSet& now, const std::vector<char>& moved) const {
+                                const PoseSet& now) const {
     const bool pieces_changed = pieces_.size() != seen_pieces_;  // they keep their numbers otherwise
     share.cursor = 0;
     for (GrainIndex k = first; k < last; ++k) {
         for (std::size_t p = 0; p < pieces_.size(); ++p) {
             const auto piece = static_cast<std::int32_t>(p);
-            if (moved[Grains::at(k)] || pieces_changed || pieces_[p].geometry.one_sided) {
+            if (moved_[Grains::at(k)] || pieces_changed || pieces_[p].geometry.one_sided) {
                 detect_wall(share, before, now, k, piece);
             } else {
                 keep(share, {k, wall_body(pieces_[p].wall), piece});
@@ -277,18 +345,6 @@ void GapDetection::detect_walls(Share& share, GrainIndex first, GrainIndex last,
         }
     }
 }
-
-namespace {
-
-bool before_pair(const PairContacts& p, const PairContacts& q) {
-    const bool wall_p = is_wall(p.j);
-    const bool wall_q = is_wall(q.j);
-    if (wall_p != wall_q) return !wall_p;
-    if (wall_p) return p.i < q.i || (p.i == q.i && p.piece < q.piece);
-    return p.j < q.j || (p.j == q.j && p.i < q.i);
-}
-
-}  // namespace
 
 /// What the last detection has found of a pair; pairs are asked for in order.
 void GapDetection::keep(Share& share, const PairContacts& key) const {

@@ -44,20 +44,22 @@ public:
     void detect(const PoseSet& before, const PoseSet& now, const std::vector<SolverBody>& bodies, double time_before,
                 double time_now, double dt);
 
-    /// Detects again only what a moved grain takes part in; the rest is kept.
+    /// Detects again only what a moved grain takes part in; the rest is kept. From then on contacts are to be reached
+    /// through their pairs: among them stand some that have been replaced.
     void detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved);
 
-    std::vector<GapContact>& contacts() { return found_.contacts; }
+    /// Gives pairs and contacts away, in order, and takes the old ones in exchange, whose memory is used again. The old
+    /// impulses go over to the contacts of the same features, as first guesses of the solver.
+    void hand_over(std::vector<PairContacts>& pairs, std::vector<GapContact>& contacts);
+
     const std::vector<GapContact>& contacts() const { return found_.contacts; }
-    std::vector<PairContacts>& pairs() { return found_.pairs; }
     const std::vector<PairContacts>& pairs() const { return found_.pairs; }
+    const GapContact* begin_of(const PairContacts& pair) const { return found_.contacts.data() + pair.first; }
+    const GapContact* end_of(const PairContacts& pair) const { return begin_of(pair) + pair.count; }
     const std::vector<GrainPair>& near_pairs() const { return list_.pairs(); }
 
     /// The gap at which two bodies rest [m]: k_resting of the smaller one's mean diameter.
     double resting_gap(BodyIndex i, BodyIndex j) const;
-
-    /// Takes the impulses of old contacts over to those of the same features, as first guesses of the solver.
-    void match(const std::vector<PairContacts>& old_pairs, std::vector<GapContact>& old_contacts);
 
     double radius(GrainIndex k) const { return list_.radius(k); }
 
@@ -85,11 +87,12 @@ private:
         std::size_t cursor = 0;  ///< in the last detection's pairs
     };
 
-    void detect_again(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved);
-    void detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& now,
-                      const std::vector<char>& moved) const;
-    void detect_walls(Share& share, GrainIndex first, GrainIndex last, const PoseSet& before, const PoseSet& now,
-                      const std::vector<char>& moved) const;
+    void detect_all(const PoseSet& before, const PoseSet& now);
+    void detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& now) const;
+    void detect_walls(Share& share, GrainIndex first, GrainIndex last, const PoseSet& before, const PoseSet& now) const;
+    void splice(const std::vector<char>& moved);
+    void put_in_order();
+    void match(const std::vector<PairContacts>& old_pairs, std::vector<GapContact>& old_contacts);
     void keep(Share& share, const PairContacts& key) const;
     void detect_pair(Share& share, const PoseSet& now, GrainIndex a, GrainIndex b) const;
     void detect_wall(Share& share, const PoseSet& before, const PoseSet& now, GrainIndex k, std::int32_t piece) const;
@@ -111,6 +114,10 @@ private:
     double gravity_way_ = 0.0;  ///< 2 g dt^2
     Found found_;
     std::vector<Share> shares_;
+    Share patch_;
+    std::size_t in_order_ = 0;  ///< contacts when they were last in order
+    bool spliced_ = false;      ///< some contacts have been replaced, and new ones stand behind the others
+    bool handed_over_ = false;  ///< found_ holds what came in exchange
     // Of the last detection: its pairs and points, and what it saw.
     std::vector<PairContacts> last_pairs_;
     std::vector<GapPoint> last_points_;

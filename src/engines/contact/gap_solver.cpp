@@ -9,6 +9,13 @@
 
 namespace polargrain {
 
+namespace {
+
+/// Grains or contacts that a thread takes at a time.
+constexpr std::size_t k_run = 2048;
+
+}  // namespace
+
 void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
                         PoseSet& trial, std::int64_t step, double time, double dt, const Effort& effort,
                         StepReport& report) {
@@ -40,13 +47,16 @@ void GapSolver::prepare_at_rest(std::vector<GapContact>& contacts, const std::ve
 }
 
 void GapSolver::prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const {
-    for (GapContact& c : contacts) {
-        c.active = true;
-        c.total_impulse = Vec2::Zero();
-        c.friction = pair_law(scene_, c.j, c.i).friction;
-        halfway_.carry(c);
-        prepare_arms(c, bodies);
-    }
+    parallel_.runs(contacts.size(), k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            GapContact& c = contacts[k];
+            c.active = true;
+            c.total_impulse = Vec2::Zero();
+            c.friction = pair_law(scene_, c.j, c.i).friction;
+            halfway_.carry(c);
+            prepare_arms(c, bodies);
+        }
+    });
 }
 
 void GapSolver::prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies) const {
@@ -97,15 +107,17 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Effor
     velocity_before_.resize(grains_);
     spin_before_.resize(grains_);
     push_.resize(grains_);
-    for (std::size_t k = 0; k < grains_; ++k) {
-        SolverBody& body = bodies_[k];
-        velocity_before_[k] = body.velocity;
-        spin_before_[k] = body.spin;
-        body.velocity += kick;
-        if (first || !pushed_[k]) continue;
-        body.velocity += push_[k].velocity;
-        body.spin += push_[k].spin;
-    }
+    parallel_.runs(grains_, k_run, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            SolverBody& body = bodies_[k];
+            velocity_before_[k] = body.velocity;
+            spin_before_[k] = body.spin;
+            body.velocity += kick;
+            if (first || !pushed_[k]) continue;
+            body.velocity += push_[k].velocity;
+            body.spin += push_[k].spin;
+        }
+    });
     if (first) {
         for (const GapContact& c : contacts) {
             if (c.normal_impulse > 0.0) push(c, bodies_, c.normal_impulse, c.tangent_impulse);
@@ -184,20 +196,25 @@ void GapSolver::move(std::vector<GapContact>& contacts, PoseSet& trial, double h
     for (const std::size_t k : moving_) book(k, contacts[k], report);
     lanes_.each_left([&](std::size_t k) { leave_edge(k, contacts[k], report); });
     const Vec2 half_kick = 0.5 * h * scene_.gravity;
-    for (std::size_t k = 0; k < grains_; ++k) {
-        SolverBody& body = bodies_[k];
-        if (pushed_[k]) {
-            body.touched = true;
-            const Vec2 change = body.velocity - velocity_before_[k];
-            const double turn = body.spin - spin_before_[k];
-            report.ledger.restitution_loss +=
-                0.5 * (change.squaredNorm() / body.inverse_mass + turn * turn / body.inverse_inertia);
-            trial.centre[k] += h * body.velocity;
-        } else {
-            trial.centre[k] += h * (body.velocity - half_kick);
+    stop_losses_.assign((grains_ + k_run - 1) / k_run, 0.0);
+    parallel_.runs(grains_, k_run, [&](std::size_t first, std::size_t last) {
+        double loss = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            SolverBody& body = bodies_[k];
+            if (pushed_[k]) {
+                body.touched = true;
+                const Vec2 change = body.velocity - velocity_before_[k];
+                const double turn = body.spin - spin_before_[k];
+                loss += 0.5 * (change.squaredNorm() / body.inverse_mass + turn * turn / body.inverse_inertia);
+                trial.centre[k] += h * body.velocity;
+            } else {
+                trial.centre[k] += h * (body.velocity - half_kick);
+            }
+            trial.angle[k] += h * body.spin;
         }
-        trial.angle[k] += h * body.spin;
-    }
+        stop_losses_[first / k_run] = loss;
+    });
+    for (const double loss : stop_losses_) report.ledger.restitution_loss += loss;
 }
 
 /// Hands the impulses of the sub-steps since the last time to the contact, and to its wall.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -38,7 +39,8 @@ public:
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
 
-    explicit GapSolver(const Scene& scene) : scene_(scene), halfway_(scene), impacts_(scene), lanes_(scene) {}
+    explicit GapSolver(const Scene& scene)
+        : scene_(scene), parallel_(std::max(1, scene.threads)), halfway_(scene), impacts_(scene), lanes_(scene) {}
 
     /// Advances bodies and trial poses from time to time + dt. `start` are the poses at which the contacts were found;
     /// the trial poses equal them at first. Fills impulses and losses of the report.
@@ -73,6 +75,7 @@ private:
     };
 
     const Scene& scene_;
+    Parallel parallel_;
     const PoseSet* start_ = nullptr;  ///< poses at which the contacts were found
     Halfway halfway_;
     GapImpacts impacts_;
@@ -85,6 +88,7 @@ private:
     std::vector<double> spin_before_;
     std::vector<Push> push_;
     std::vector<char> pushed_;
+    std::vector<double> stop_losses_;  ///< of runs of grains
 };
 
 }  // namespace polargrain

@@ -13,8 +13,8 @@ int Repair::run(GapDetection& detection, const std::vector<SolverBody>& bodies, 
     turn_.resize(bodies.size());
     int left = overlapping();
     for (int pass = 1; pass <= k_passes && left > 0; ++pass) {
-        choose_grains(detection, detection.contacts(), pass);
-        solve(detection.contacts(), bodies, trial);
+        choose_grains(detection, pass);
+        solve(detection, bodies, trial);
         for (std::size_t k = 0; k < chosen_.size(); ++k) {
             chosen_[k] = way_[k] != Vec2::Zero() || turn_[k] != 0.0 ? 1 : 0;
             if (!chosen_[k]) continue;
@@ -28,29 +28,60 @@ int Repair::run(GapDetection& detection, const std::vector<SolverBody>& bodies, 
     return left;
 }
 
-void Repair::choose_grains(const GapDetection& detection, const std::vector<GapContact>& contacts, int rings) {
+void Repair::index_by_grain(const std::vector<PairContacts>& pairs) {
+    first_of_grain_.assign(way_.size() + 1, 0);
+    const auto each_grain = [&](auto visit) {
+        for (std::size_t p = 0; p < pairs.size(); ++p) {
+            visit(Grains::at(pairs[p].i), p);
+            if (!is_wall(pairs[p].j)) visit(Grains::at(pairs[p].j), p);
+        }
+    };
+    each_grain([&](std::size_t grain, std::size_t) { ++first_of_grain_[grain + 1]; });
+    for (std::size_t k = 0; k < way_.size(); ++k) first_of_grain_[k + 1] += first_of_grain_[k];
+    fill_.assign(first_of_grain_.begin(), first_of_grain_.end() - 1);
+    of_grain_.resize(static_cast<std::size_t>(first_of_grain_.back()));
+    each_grain([&](std::size_t grain, std::size_t p) {
+        of_grain_[static_cast<std::size_t>(fill_[grain]++)] = static_cast<std::int32_t>(p);
+    });
+}
+
+/// The overlapping grains, and as many rings of neighbours that all but touch.
+void Repair::choose_grains(const GapDetection& detection, int rings) {
+    const std::vector<PairContacts>& pairs = detection.pairs();
+    index_by_grain(pairs);
     chosen_.assign(way_.size(), 0);
-    for (const PairContacts& pair : detection.pairs()) {
+    edge_.clear();
+    const auto choose = [&](BodyIndex body, std::vector<GrainIndex>& list) {
+        if (is_wall(body) || chosen_[Grains::at(body)]) return;
+        chosen_[Grains::at(body)] = 1;
+        list.push_back(body);
+    };
+    for (const PairContacts& pair : pairs) {
         if (!pair.overlapping) continue;
-        chosen_[Grains::at(pair.i)] = 1;
-        if (!is_wall(pair.j)) chosen_[Grains::at(pair.j)] = 1;
+        choose(pair.i, edge_);
+        choose(pair.j, edge_);
     }
     for (int ring = 0; ring < rings; ++ring) {
-        next_ = chosen_;
-        for (const GapContact& c : contacts) {
-            if (is_wall(c.j) || c.gap >= k_ring * c.resting) continue;
-            if (chosen_[Grains::at(c.i)]) next_[Grains::at(c.j)] = 1;
-            if (chosen_[Grains::at(c.j)]) next_[Grains::at(c.i)] = 1;
+        next_edge_.clear();
+        for (const GrainIndex grain : edge_) {
+            for (auto n = first_of_grain_[Grains::at(grain)]; n < first_of_grain_[Grains::at(grain) + 1]; ++n) {
+                const PairContacts& pair = pairs[static_cast<std::size_t>(of_grain_[static_cast<std::size_t>(n)])];
+                const bool near = std::any_of(detection.begin_of(pair), detection.end_of(pair),
+                                              [](const GapContact& c) { return c.gap < k_ring * c.resting; });
+                if (!near || is_wall(pair.j)) continue;
+                choose(pair.i, next_edge_);
+                choose(pair.j, next_edge_);
+            }
         }
-        chosen_.swap(next_);
+        edge_.swap(next_edge_);
     }
 }
 
-void Repair::solve(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                   const PoseSet& trial) {
+void Repair::solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial) {
     std::fill(way_.begin(), way_.end(), Vec2::Zero());
     std::fill(turn_.begin(), turn_.end(), 0.0);
-    collect_rows(contacts, bodies, trial);
+    collect_rows(detection, bodies, trial);
+    const std::vector<GapContact>& contacts = detection.contacts();
     for (int s = 0; s < k_sweeps; ++s) {
         for (std::size_t m = 0; m < rows_.size(); ++m) {
             Row& row = rows_[s % 2 == 0 ? m : rows_.size() - 1 - m];
@@ -74,28 +105,32 @@ void Repair::solve(const std::vector<GapContact>& contacts, const std::vector<So
     }
 }
 
-void Repair::collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                          const PoseSet& trial) {
+void Repair::collect_rows(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial) {
     rows_.clear();
-    for (std::size_t n = 0; n < contacts.size(); ++n) {
-        const GapContact& c = contacts[n];
-        if (!gives_way(c.i) && !gives_way(c.j)) continue;
-        if (c.gap >= k_near * c.resting) continue;
-        Row row{static_cast<std::int32_t>(n), c.gap < k_part * c.resting ? k_part * c.resting : 0.0, 0, 0, 0, 0};
-        double inverse = 0.0;
-        if (gives_way(c.i)) {
-            const SolverBody& i = bodies[Grains::at(c.i)];
-            row.arm_ni = cross(Vec2(c.point - trial.centre[Grains::at(c.i)]), c.normal);
-            inverse += i.inverse_mass + i.inverse_inertia * row.arm_ni * row.arm_ni;
-        }
-        if (gives_way(c.j)) {
-            const SolverBody& j = bodies[Grains::at(c.j)];
-            row.arm_nj = cross(Vec2(c.point - trial.centre[Grains::at(c.j)]), c.normal);
-            inverse += j.inverse_mass + j.inverse_inertia * row.arm_nj * row.arm_nj;
-        }
-        row.mass = 1.0 / inverse;
-        rows_.push_back(row);
+    for (const PairContacts& pair : detection.pairs()) {
+        if (!gives_way(pair.i) && !gives_way(pair.j)) continue;
+        for (std::int32_t n = pair.first; n < pair.first + pair.count; ++n) add_row(n, detection, bodies, trial);
     }
+}
+
+void Repair::add_row(std::int32_t contact, const GapDetection& detection, const std::vector<SolverBody>& bodies,
+                     const PoseSet& trial) {
+    const GapContact& c = detection.contacts()[static_cast<std::size_t>(contact)];
+    if (c.gap >= k_near * c.resting) return;
+    Row row{contact, c.gap < k_part * c.resting ? k_part * c.resting : 0.0, 0, 0, 0, 0};
+    double inverse = 0.0;
+    if (gives_way(c.i)) {
+        const SolverBody& i = bodies[Grains::at(c.i)];
+        row.arm_ni = cross(Vec2(c.point - trial.centre[Grains::at(c.i)]), c.normal);
+        inverse += i.inverse_mass + i.inverse_inertia * row.arm_ni * row.arm_ni;
+    }
+    if (gives_way(c.j)) {
+        const SolverBody& j = bodies[Grains::at(c.j)];
+        row.arm_nj = cross(Vec2(c.point - trial.centre[Grains::at(c.j)]), c.normal);
+        inverse += j.inverse_mass + j.inverse_inertia * row.arm_nj * row.arm_nj;
+    }
+    row.mass = 1.0 / inverse;
+    rows_.push_back(row);
 }
 
 }  // namespace polargrain

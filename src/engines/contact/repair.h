@@ -24,10 +24,12 @@ public:
     int run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial);
 
 private:
-    void choose_grains(const GapDetection& detection, const std::vector<GapContact>& contacts, int rings);
-    void solve(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const PoseSet& trial);
-    void collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                      const PoseSet& trial);
+    void index_by_grain(const std::vector<PairContacts>& pairs);
+    void choose_grains(const GapDetection& detection, int rings);
+    void solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
+    void collect_rows(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
+    void add_row(std::int32_t contact, const GapDetection& detection, const std::vector<SolverBody>& bodies,
+                 const PoseSet& trial);
 
     /// Only chosen grains give way; the others stand like walls.
     bool gives_way(BodyIndex body) const { return !is_wall(body) && chosen_[Grains::at(body)]; }
@@ -36,7 +38,9 @@ private:
         std::int32_t contact;
         double aim, arm_ni, arm_nj, mass, push;
     };
-    std::vector<char> chosen_, next_;
+    std::vector<char> chosen_;
+    std::vector<GrainIndex> edge_, next_edge_;                    ///< grains chosen last
+    std::vector<std::int32_t> first_of_grain_, fill_, of_grain_;  ///< pairs of a grain
     std::vector<Row> rows_;
     std::vector<Vec2> way_;
     std::vector<double> turn_;
