@@ -207,7 +207,7 @@ TEST_F(Resume, UntilCarriesAFinishedRunOn) {
 TEST_F(Resume, AFullDiskEndsTheRunWithAnErrorAndResumingWithRoomMendsIt) {
     scratch_.write("everything.toml", k_everything);
     const Reference whole(scratch_.path(), "contact");
-    for (const rlim_t room : {8'000, 20'000, 32'000}) {
+    for (const rlim_t room : {8'000UL, 20'000UL, 32'000UL}) {
         const Outcome full =
             RunningProgram({"run", "everything.toml", "-o", "cut", "--force"}, scratch_.path(), room).wait();
         EXPECT_EQ(full.exit_code, 1) << full.err;

@@ -261,12 +261,12 @@ TEST(LaneKernels, GiveTheSameBitsWithAnyInstructionSet) {
         bytes.append(reinterpret_cast<const char*>(&losses), sizeof(losses));
         return bytes;
     };
-    const std::string baseline = computed_by(lanes_baseline::kernels);
+    const std::string baseline = computed_by(lanes_baseline::k_kernels);
     if (__builtin_cpu_supports("avx2")) {
-        EXPECT_TRUE(computed_by(lanes_avx2::kernels) == baseline);
+        EXPECT_TRUE(computed_by(lanes_avx2::k_kernels) == baseline);
     }
     if (__builtin_cpu_supports("avx512f")) {
-        EXPECT_TRUE(computed_by(lanes_avx512::kernels) == baseline);
+        EXPECT_TRUE(computed_by(lanes_avx512::k_kernels) == baseline);
     }
 }
 #endif

@@ -102,7 +102,8 @@ Scene pour_outline(const std::string& outline, int n, int across, std::uint64_t 
     add_box(scene, (1.1 * across + 1.0) * d, (1.05 * rows + 8.0) * d);
     RandomStream random(seed, RandomPurpose::test);
     for (int k = 0; k < n; ++k) {
-        const Vec2 place{(1.05 + 1.1 * (k % across)) * d, (0.6 + 1.05 * (k / across)) * d};
+        const int row = k / across;
+        const Vec2 place{(1.05 + 1.1 * (k % across)) * d, (0.6 + 1.05 * row) * d};
         scene.add(Grain{shape, 0, place, random.uniform(-k_pi, k_pi), {0.1 * random.normal(), 0.0}});
     }
     return scene;

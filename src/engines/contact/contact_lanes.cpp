@@ -11,6 +11,9 @@ namespace {
 /// Blocks that a thread takes at a time, where their order does not matter.
 constexpr std::size_t k_blocks_a_run = 128;
 
+/// Of a group; a grain with more contacts in it gets blocks of their own for the rest.
+constexpr std::int32_t k_colours = 64;
+
 constexpr double k_unbounded = std::numeric_limits<double>::infinity();
 
 static_assert(sizeof(SolverBody) == k_body_stride * sizeof(double) && offsetof(SolverBody, velocity) == 0 &&
@@ -32,6 +35,7 @@ void ContactLanes::lay_out(const std::vector<GapContact>& contacts, const std::v
                            std::vector<SolverBody>& bodies) {
     cut_into_strips(contacts.size(), centres);
     colour(contacts, bodies.size());
+    place(contacts);
     fill(contacts, bodies);
 }
 
@@ -67,10 +71,8 @@ std::size_t ContactLanes::group_of(const GapContact& c) const {
     return std::abs(i - j) == 1 ? strips_ + static_cast<std::size_t>(std::min(i, j)) : 2 * strips_ - 1;
 }
 
-/// The lowest colour that neither grain has yet in the group, and from the colours a place for every contact. A grain
-/// with more contacts than there are colours gets blocks of their own for the rest.
+/// The lowest colour that neither grain has yet in the group.
 void ContactLanes::colour(const std::vector<GapContact>& contacts, std::size_t grains) {
-    constexpr std::int32_t k_colours = 64;
     groups_.clear();
     for (std::size_t g = 0; g < strips_; ++g) groups_.push_back({k_within, 0, 0});
     for (std::size_t g = 0; g + 1 < strips_; ++g) groups_.push_back({g % 2 == 0 ? k_even_border : k_odd_border, 0, 0});
@@ -92,6 +94,10 @@ void ContactLanes::colour(const std::vector<GapContact>& contacts, std::size_t g
         colour_.push_back(colour);
         ++size_of_[group * (k_colours + 1) + static_cast<std::size_t>(colour)];
     }
+}
+
+/// Where blocks and contacts stand: group by group, colour by colour.
+void ContactLanes::place(const std::vector<GapContact>& contacts) {
     std::int32_t block = 0;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         groups_[g].first = block;
@@ -195,7 +201,7 @@ Vec2 ContactLanes::take(std::size_t contact, GapContact& c) {
 bool ContactLanes::sweep(std::vector<SolverBody>& bodies, double h, double settled, bool backwards) {
     const LaneKernels& kernels = lane_kernels();
     changed_.assign(groups_.size(), 0);
-    for (int p = 0; p < k_phases; ++p) {
+    for (std::size_t p = 0; p < k_phases; ++p) {
         const std::vector<std::size_t>& groups = of_phase_[backwards ? k_phases - 1 - p : p];
         parallel_.each(groups.size(), [&](std::size_t n) {
             const Group& group = groups_[groups[n]];

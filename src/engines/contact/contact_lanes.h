@@ -74,6 +74,7 @@ private:
     void cut_into_strips(std::size_t contacts, const std::vector<Vec2>& centres);
     std::size_t group_of(const GapContact& c) const;
     void colour(const std::vector<GapContact>& contacts, std::size_t grains);
+    void place(const std::vector<GapContact>& contacts);
     void fill(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies);
     LaneBlock& block(std::size_t contact) { return blocks_[place_[contact] / k_lanes]; }
     const LaneBlock& block(std::size_t contact) const { return blocks_[place_[contact] / k_lanes]; }

@@ -262,7 +262,7 @@ void GapDetection::put_in_order() {
     ordered.clear();
     for (PairContacts pair : found_.pairs) {
         const auto first = static_cast<std::ptrdiff_t>(pair.first);
-        const auto last = static_cast<std::ptrdiff_t>(pair.first + pair.count);
+        const auto last = first + static_cast<std::ptrdiff_t>(pair.count);
         pair.first = static_cast<std::int32_t>(ordered.contacts.size());
         ordered.pairs.push_back(pair);
         ordered.contacts.insert(ordered.contacts.end(), found_.contacts.begin() + first,

@@ -72,13 +72,13 @@ struct LaneKernels {
 const LaneKernels& lane_kernels();
 
 namespace lanes_baseline {
-extern const LaneKernels kernels;
+extern const LaneKernels k_kernels;
 }
 namespace lanes_avx2 {
-extern const LaneKernels kernels;
+extern const LaneKernels k_kernels;
 }
 namespace lanes_avx512 {
-extern const LaneKernels kernels;
+extern const LaneKernels k_kernels;
 }
 
 }  // namespace polargrain

@@ -3,6 +3,6 @@
 
 namespace polargrain {
 
-const LaneKernels lanes_avx2::kernels{lanes_avx2::sweep, lanes_avx2::move, "avx2"};
+const LaneKernels lanes_avx2::k_kernels{lanes_avx2::sweep, lanes_avx2::move, "avx2"};
 
 }  // namespace polargrain

@@ -3,6 +3,6 @@
 
 namespace polargrain {
 
-const LaneKernels lanes_avx512::kernels{lanes_avx512::sweep, lanes_avx512::move, "avx512"};
+const LaneKernels lanes_avx512::k_kernels{lanes_avx512::sweep, lanes_avx512::move, "avx512"};
 
 }  // namespace polargrain

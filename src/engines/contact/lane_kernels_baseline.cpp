@@ -3,6 +3,6 @@
 
 namespace polargrain {
 
-const LaneKernels lanes_baseline::kernels{lanes_baseline::sweep, lanes_baseline::move, "baseline"};
+const LaneKernels lanes_baseline::k_kernels{lanes_baseline::sweep, lanes_baseline::move, "baseline"};
 
 }  // namespace polargrain

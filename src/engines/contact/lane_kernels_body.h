@@ -143,8 +143,8 @@ inline bool sweep_block(LaneBlock& block, double* bodies, double per_h, double s
     return any((much_n > settled * wide(block.mass_n)) | (much_t > settled * wide(block.mass_t)));
 }
 
-bool sweep(LaneBlock* blocks, std::ptrdiff_t first, std::ptrdiff_t last, bool backwards, double* bodies, double per_h,
-           double settled) {
+inline bool sweep(LaneBlock* blocks, std::ptrdiff_t first, std::ptrdiff_t last, bool backwards, double* bodies,
+                  double per_h, double settled) {
     bool changed = false;
     if (backwards) {
         for (std::ptrdiff_t b = last; b-- > first;) changed |= sweep_block(blocks[b], bodies, per_h, settled);
@@ -154,8 +154,8 @@ bool sweep(LaneBlock* blocks, std::ptrdiff_t first, std::ptrdiff_t last, bool ba
     return changed;
 }
 
-LaneLosses move(LaneBlock* blocks, TravelBlock* travels, std::ptrdiff_t first, std::ptrdiff_t last,
-                const double* bodies, const LaneMove& move) {
+inline LaneLosses move(LaneBlock* blocks, TravelBlock* travels, std::ptrdiff_t first, std::ptrdiff_t last,
+                       const double* bodies, const LaneMove& move) {
     Wide losses_n{};
     Wide losses_t{};
     for (std::ptrdiff_t b = first; b < last; ++b) {
