@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/contact_sheet.h"
 #include "src/observe/bed.h"
 #include "src/plot/plot.h"
 #include "src/record/trajectory_reader.h"
 #include "src/reproduce/bin_runs.h"
 #include "src/reproduce/simulation_figures.h"
+#include "src/reproduce/snapshots.h"
 #include "src/reproduce/statistics.h"
 
 namespace polargrain {
@@ -35,8 +35,7 @@ FigurePicture draw_snapshots(const FigureDesk& desk, const Bin& bin, const std::
     sheet.columns = cells.size() > 8 ? 5 : 4;
     sheet.width = 1800;
     const auto stem = desk.stem(id + "-" + engine);
-    contact_sheet(recording, cells, style, stem.string() + ".png", sheet);
-    contact_sheet(recording, cells, style, stem.string() + ".pdf", sheet);
+    draw_snapshots(recording, cells, style, stem, sheet);
     return {stem, fmt::format("{}: at the printed times, seed {}", engine, bin.shown_seed)};
 }
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/contact_sheet.h"
 #include "src/plot/plot.h"
 #include "src/record/trajectory_reader.h"
 #include "src/reproduce/dominoes.h"
 #include "src/reproduce/recorded_run.h"
 #include "src/reproduce/simulation_figures.h"
+#include "src/reproduce/snapshots.h"
 #include "src/reproduce/statistics.h"
 #include "src/theory/domino_chain.h"
 #include "src/theory/domino_theory.h"
@@ -59,8 +59,7 @@ std::vector<double> contact_counts(const TrajectoryReader& recording) {
     return {times.begin() + count / 2, times.end() - 2};
 }
 
-FigurePicture draw_snapshots(const FigureDesk& desk, const std::string& engine, const TrajectoryReader& recording,
-                             int zero) {
+FigurePicture draw_row(const FigureDesk& desk, const std::string& engine, const TrajectoryReader& recording, int zero) {
     const DominoKind& kind = table_1().front();
     const double pitch = kind.thickness * (1.0 + k_snapshot_gap);
     FrameSettings settings;
@@ -78,8 +77,7 @@ FigurePicture draw_snapshots(const FigureDesk& desk, const std::string& engine, 
     sheet.columns = 2;
     sheet.width = 1500;
     const auto stem = desk.stem("fig12-" + engine);
-    contact_sheet(recording, cells, style, stem.string() + ".png", sheet);
-    contact_sheet(recording, cells, style, stem.string() + ".pdf", sheet);
+    draw_snapshots(recording, cells, style, stem, sheet);
     return {stem,
             fmt::format("{}: the row at the printed times; zero is when domino {} is struck", engine, k_first_shown)};
 }
@@ -111,7 +109,7 @@ FigureResult draw_fig12(const FigureDesk& desk) {
         const TrajectoryReader recording(folder / "trajectory.h5");
         const std::vector<int> struck = struck_frames(recording);
         const int zero = std::max(0, struck[k_first_shown]);
-        result.pictures.push_back(draw_snapshots(desk, engine, recording, zero));
+        result.pictures.push_back(draw_row(desk, engine, recording, zero));
         Series line{.label = engine, .style = SeriesStyle::line_points, .colour = colour};
         for (std::size_t k = 0; k < struck.size(); ++k) {
             line.x.push_back(static_cast<double>(k));

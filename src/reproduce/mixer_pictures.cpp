@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "render/contact_sheet.h"
 #include "src/plot/plot.h"
 #include "src/record/trajectory_reader.h"
 #include "src/reproduce/sketch.h"
+#include "src/reproduce/snapshots.h"
 
 namespace polargrain {
 
@@ -101,8 +101,7 @@ FigurePicture draw_mixer_sheet(const FigureDesk& desk, char set) {
     sheet.columns = 5;
     sheet.width = 1800;
     const auto stem = desk.stem(fmt::format("kuo-mixer-set-{}", set));
-    contact_sheet(recording, cells, style, stem.string() + ".png", sheet);
-    contact_sheet(recording, cells, style, stem.string() + ".pdf", sheet);
+    draw_snapshots(recording, cells, style, stem, sheet);
     return {stem, fmt::format("Set {}: dividing (0° to 180°) and combining (180° to 360°), as in [K02, Figs. 5, 6]; "
                               "colours tell where grains started",
                               set)};

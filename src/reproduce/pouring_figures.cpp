@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "render/contact_sheet.h"
 #include "scenarios/reader.h"
 #include "src/observe/bed.h"
 #include "src/plot/plot.h"
 #include "src/record/trajectory_reader.h"
 #include "src/reproduce/recorded_run.h"
 #include "src/reproduce/simulation_figures.h"
+#include "src/reproduce/snapshots.h"
 #include "src/reproduce/statistics.h"
 
 namespace polargrain {
@@ -136,8 +136,7 @@ FigureResult draw_fig14(const FigureDesk& desk) {
         sheet.columns = 3;
         sheet.width = 1100;
         const auto stem = desk.stem("fig14-" + engine);
-        contact_sheet(recording, cells, style, stem.string() + ".png", sheet);
-        contact_sheet(recording, cells, style, stem.string() + ".pdf", sheet);
+        draw_snapshots(recording, cells, style, stem, sheet);
         result.pictures.push_back({stem, engine + ": at the printed times"});
         const StoredFrame last = recording.frame(cells.back().frame);
         double fastest = 0.0;
