@@ -24,8 +24,7 @@ std::string described(const GrainGroup& group, GrainIndex grain) {
 
 }  // namespace
 
-void check_no_overlap(const Scene& scene, const std::vector<PlacedPiece>& walls,
-                      const std::vector<GrainGroup>& groups) {
+void check_no_overlap(const Scene& scene, const std::vector<StartPiece>& walls, const std::vector<GrainGroup>& groups) {
     std::vector<BoundingCircle> circles;
     std::vector<Pose> poses;
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
@@ -48,7 +47,7 @@ void check_no_overlap(const Scene& scene, const std::vector<PlacedPiece>& walls,
             refuse(b, described(group_of(groups, a), a));
         }
     }
-    for (const PlacedPiece& placed : walls) {
+    for (const StartPiece& placed : walls) {
         const Vec2 low = placed.piece.a.cwiseMin(placed.piece.b);
         const Vec2 high = placed.piece.a.cwiseMax(placed.piece.b);
         for (GrainIndex k = 0; k < scene.grains.size(); ++k) {

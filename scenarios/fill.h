@@ -14,7 +14,7 @@
 namespace polargrain {
 
 /// A straight piece of a wall and which wall it belongs to.
-struct PlacedPiece {
+struct StartPiece {
     WallPiece piece;
     int wall = 0;
     int segment = 0;
@@ -22,11 +22,11 @@ struct PlacedPiece {
 
 /// Where the pieces of all walls are before the first step: those present at time zero, and with `settle` those, too,
 /// that are removed at time zero.
-std::vector<PlacedPiece> pieces_at_start(std::span<const Wall> walls, bool settle);
+std::vector<StartPiece> pieces_at_start(std::span<const Wall> walls, bool settle);
 
 /// True where the nearest piece has its free side turned away from the point: the inside of a wall. Beyond the end of
 /// an open chain nothing is behind.
-bool behind_walls(std::span<const PlacedPiece> pieces, const Vec2& point);
+bool behind_walls(std::span<const StartPiece> pieces, const Vec2& point);
 
 /// A rectangle that grains are put into: knows what is there already and says whether one more fits.
 ///
@@ -35,7 +35,7 @@ bool behind_walls(std::span<const PlacedPiece> pieces, const Vec2& point);
 class FillSpace {
 public:
     /// `count` grains of about `radius` are to come.
-    FillSpace(const Vec2& lower, const Vec2& upper, std::span<const PlacedPiece> walls, std::size_t count,
+    FillSpace(const Vec2& lower, const Vec2& upper, std::span<const StartPiece> walls, std::size_t count,
               double radius);
 
     void add(std::shared_ptr<const Shape> shape, const Pose& pose);
@@ -63,7 +63,7 @@ private:
     bool clear_of_walls(const Shape& shape, const Pose& pose, double radius, const CellRange& range) const;
 
     Vec2 lower_, upper_;
-    std::span<const PlacedPiece> walls_;
+    std::span<const StartPiece> walls_;
     double cell_size_;
     int columns_, rows_;
     std::vector<Placed> placed_;

@@ -24,7 +24,7 @@ bool within_box(const Vec2& centre, double radius, const WallPiece& piece) {
 
 }  // namespace
 
-FillSpace::FillSpace(const Vec2& lower, const Vec2& upper, std::span<const PlacedPiece> walls, std::size_t count,
+FillSpace::FillSpace(const Vec2& lower, const Vec2& upper, std::span<const StartPiece> walls, std::size_t count,
                      double radius)
     : lower_(lower),
       upper_(upper),

@@ -9,9 +9,9 @@ namespace {
 
 /// Direction towards the free side at the end `point` of a piece: halfway to its neighbour's where another piece goes
 /// on there; none at a free end.
-Vec2 free_side_at_end(std::span<const PlacedPiece> pieces, const PlacedPiece& end, const Vec2& point) {
+Vec2 free_side_at_end(std::span<const StartPiece> pieces, const StartPiece& end, const Vec2& point) {
     const Vec2 own = unit(left_normal(end.piece.b - end.piece.a));
-    for (const PlacedPiece& other : pieces) {
+    for (const StartPiece& other : pieces) {
         const bool follows = other.piece.a == point && end.piece.b == point;
         const bool precedes = other.piece.b == point && end.piece.a == point;
         if (follows || precedes) return own + unit(left_normal(other.piece.b - other.piece.a));
@@ -21,8 +21,8 @@ Vec2 free_side_at_end(std::span<const PlacedPiece> pieces, const PlacedPiece& en
 
 }  // namespace
 
-std::vector<PlacedPiece> pieces_at_start(std::span<const Wall> walls, bool settle) {
-    std::vector<PlacedPiece> pieces;
+std::vector<StartPiece> pieces_at_start(std::span<const Wall> walls, bool settle) {
+    std::vector<StartPiece> pieces;
     for (std::size_t w = 0; w < walls.size(); ++w) {
         const Wall& wall = walls[w];
         if (!wall.present(0.0) && !settle) continue;
@@ -35,10 +35,10 @@ std::vector<PlacedPiece> pieces_at_start(std::span<const Wall> walls, bool settl
     return pieces;
 }
 
-bool behind_walls(std::span<const PlacedPiece> pieces, const Vec2& point) {
+bool behind_walls(std::span<const StartPiece> pieces, const Vec2& point) {
     double nearest = std::numeric_limits<double>::infinity();
     bool behind = false;
-    for (const PlacedPiece& placed : pieces) {
+    for (const StartPiece& placed : pieces) {
         const auto& [a, b] = placed.piece;
         const Vec2 along = b - a;
         const double s = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* k_falls_short = "FALLS SHORT";
 
-std::string measured_text(const Finding& finding) {
+std::string measured_text(const ExpectationResult& finding) {
     if (finding.measured.empty()) return "no value";
     std::string text = fmt::format("{:.4g}", finding.mean());
     if (finding.runs > 1) text += fmt::format(" +- {:.3g}", finding.spread());
@@ -28,7 +28,7 @@ std::string measured_text(const Finding& finding) {
     return text;
 }
 
-std::string band_text(const Finding& finding) {
+std::string band_text(const ExpectationResult& finding) {
     if (finding.min && finding.max) return fmt::format("{:.4g} to {:.4g}", *finding.min, *finding.max);
     return finding.min ? fmt::format(">= {:.4g}", *finding.min) : fmt::format("<= {:.4g}", *finding.max);
 }
@@ -37,25 +37,25 @@ std::string number_or_nothing(const std::optional<double>& value) { return value
 
 }  // namespace
 
-double Finding::mean() const {
+double ExpectationResult::mean() const {
     double sum = 0.0;
     for (const double value : measured) sum += value;
     return measured.empty() ? std::nan("") : sum / static_cast<double>(measured.size());
 }
 
-double Finding::spread() const {
+double ExpectationResult::spread() const {
     if (measured.size() < 2) return 0.0;
     double squares = 0.0;
     for (const double value : measured) squares += (value - mean()) * (value - mean());
     return std::sqrt(squares / static_cast<double>(measured.size() - 1));
 }
 
-bool Finding::holds() const {
+bool ExpectationResult::holds() const {
     if (measured.empty() || measured.size() < runs) return false;
     return (!min || mean() >= *min) && (!max || mean() <= *max);
 }
 
-bool Verification::holds() const { return std::ranges::all_of(findings, &Finding::holds); }
+bool Verification::holds() const { return std::ranges::all_of(findings, &ExpectationResult::holds); }
 
 Verification begin_verification(const std::string& name, const Scenario& scenario) {
     Verification verification{name, scenario.title, {}};
@@ -77,7 +77,7 @@ void add_run(Verification& verification, const Scenario& scenario, const std::fi
     }
     for (std::size_t k = 0; k < verification.findings.size(); ++k) {
         const Expectation& e = scenario.expectations[k];
-        Finding& finding = verification.findings[k];
+        ExpectationResult& finding = verification.findings[k];
         finding.runs += 1;
         const auto value = json["observables"].find(finding.label);
         if (value == json["observables"].end()) continue;
@@ -88,7 +88,7 @@ void add_run(Verification& verification, const Scenario& scenario, const std::fi
 
 std::string verification_table(const Verification& verification) {
     std::size_t name_width = 8, measured_width = 8, band_width = 4;
-    for (const Finding& f : verification.findings) {
+    for (const ExpectationResult& f : verification.findings) {
         name_width = std::max(name_width, f.label.size() + f.unit.size() + 3);
         measured_width = std::max(measured_width, measured_text(f).size());
         band_width = std::max(band_width, band_text(f).size());
@@ -100,7 +100,7 @@ std::string verification_table(const Verification& verification) {
                             band_width, verdict, source);
     };
     row("quantity", "measured", "band", "", "source");
-    for (const Finding& f : verification.findings) {
+    for (const ExpectationResult& f : verification.findings) {
         row(fmt::format("{} [{}]", f.label, f.unit), measured_text(f), band_text(f), f.holds() ? "ok" : k_falls_short,
             f.source);
     }
@@ -110,7 +110,7 @@ std::string verification_table(const Verification& verification) {
 std::string verification_csv(const std::vector<Verification>& verifications) {
     std::string text = "scenario,quantity,unit,measured,spread,runs,min,max,verdict,source\n";
     for (const Verification& verification : verifications) {
-        for (const Finding& f : verification.findings) {
+        for (const ExpectationResult& f : verification.findings) {
             text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(verification.name), csv_field(f.label),
                                 csv_field(f.unit), f.mean(), f.spread(), f.runs, number_or_nothing(f.min),
                                 number_or_nothing(f.max), f.holds() ? "ok" : k_falls_short, csv_field(f.source));

@@ -10,7 +10,7 @@
 namespace polargrain {
 
 /// What came of one expectation, in its own unit.
-struct Finding {
+struct ExpectationResult {
     std::string label;
     std::string unit;
     std::optional<double> min, max;
@@ -28,7 +28,7 @@ struct Finding {
 struct Verification {
     std::string name;
     std::string title;
-    std::vector<Finding> findings;
+    std::vector<ExpectationResult> findings;
 
     bool holds() const;
 };

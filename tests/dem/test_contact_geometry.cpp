@@ -99,7 +99,7 @@ class PairEnergy : public ::testing::TestWithParam<std::tuple<PolygonContact, do
 
 TEST_P(PairEnergy, IsWhatTheForcesAreTheGradientOf) {
     const auto [kind, exponent] = GetParam();
-    ContactGeometry geometry(settings_with(kind, exponent));
+    TouchFinder geometry(settings_with(kind, exponent));
     const auto shapes = grains();
     RandomStream random(11, RandomPurpose::test);
     double worst = 0.0;
@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, PairEnergy,
                                            std::tuple{PolygonContact::potential, 2.0}));
 
 TEST(DiskOnPolygon, PushesByTheGradientOfItsSprings) {
-    ContactGeometry geometry(settings_with(PolygonContact::area, 2.0));
+    TouchFinder geometry(settings_with(PolygonContact::area, 2.0));
     const auto shapes = grains();
     const Shape disk = Disk("disk", 0.008);
     RandomStream random(5, RandomPurpose::test);
@@ -178,7 +178,7 @@ TEST(DiskOnPolygon, PushesByTheGradientOfItsSprings) {
 }
 
 TEST(WallAndPolygon, PushByTheGradientOfTheAreaEnergy) {
-    ContactGeometry geometry(settings_with(PolygonContact::area, 2.0));
+    TouchFinder geometry(settings_with(PolygonContact::area, 2.0));
     const auto shapes = grains();
     RandomStream random(6, RandomPurpose::test);
     SoftPiece piece;

@@ -50,7 +50,7 @@ struct Path {
 Path follow(SoftIntegrator kind, Contact contact, double until, int steps) {
     const double h = until / steps;
     Integrator integrator = make_integrator(kind);
-    MotionState state{0.0, {0.0}, {1.0}, {contact.acceleration(0.0, 1.0)}};
+    SchemeState state{0.0, {0.0}, {1.0}, {contact.acceleration(0.0, 1.0)}};
     if (auto* gear = std::get_if<Gear4>(&integrator)) {
         gear->memory = {-contact.w * contact.w - 2.0 * contact.gamma * contact.w * state.a[0]};
     }
@@ -122,7 +122,7 @@ double amplitude(SoftIntegrator kind, double wh, int steps) {
     Contact contact;
     const double h = wh / contact.w;
     Integrator integrator = make_integrator(kind);
-    MotionState state{0.0, {0.0}, {1.0}, {0.0}};
+    SchemeState state{0.0, {0.0}, {1.0}, {0.0}};
     double largest = 0.0;
     for (int k = 0; k < steps; ++k) {
         std::visit([&](auto& scheme) { scheme.step(contact, state, h); }, integrator);
@@ -147,7 +147,7 @@ TEST(Sandwich, BlowsUpWithVerletAtThreeAndAHalfMillisecondsAndNotWithNumerov) {
     const double amplitude_exact = 0.15 * 4e-3;
     const auto run = [&](SoftIntegrator kind, double h, double until) {
         Integrator integrator = make_integrator(kind);
-        MotionState state{0.0, {amplitude_exact}, {0.0}, {bead.acceleration(amplitude_exact, 0.0)}};
+        SchemeState state{0.0, {amplitude_exact}, {0.0}, {bead.acceleration(amplitude_exact, 0.0)}};
         if (auto* numerov = std::get_if<Numerov>(&integrator)) {
             const double before = amplitude_exact * std::cos(bead.w * h);
             numerov->memory = {h, before, -bead.w * bead.w * before, state.a[0]};

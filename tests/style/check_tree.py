@@ -54,6 +54,8 @@ THIRD_PARTY = {
 SYSTEM = re.compile(r"^([a-z_0-9]+|(unistd|fcntl|spawn|stdlib|poll)\.h|sys/[a-z]+\.h)$")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>)', re.M)
+# A type of a namespace: those of another type are indented.
+DEFINED_TYPE = re.compile(r"^(?:struct|class|enum class|union) (?:alignas\(\d+\) )?(\w+)[^;{\n]*\{", re.M)
 CITATION = re.compile(r"\[([A-Z][A-Za-z]*\d{2}[a-z]?)(?:[,;:\]])")
 # Spelled in two halves, so that this file passes its own check.
 UNFINISHED = re.compile(r"\b(TO" + r"DO|FIX" + r"ME|XX" + r"X)\b")
@@ -139,6 +141,19 @@ def check_files(texts):
             yield f"{name}: unfinished: {match.group()}"
 
 
+def check_types(texts):
+    """Two types of one name in one program share the code that the compiler makes for each, such as vectors of them,
+    without a word from the linker: memory is overwritten."""
+    where = {}
+    for name, text in texts.items():
+        if name.endswith(".h"):
+            for match in DEFINED_TYPE.finditer(text):
+                where.setdefault(match.group(1), []).append(name)
+    for type_name, names in sorted(where.items()):
+        if len(names) > 1:
+            yield f"{names[0]}: {type_name} is also the name of a type in {', '.join(names[1:])}; rename one"
+
+
 def citations(text, code):
     if code:
         text = "\n".join(re.findall(r"//.*", text))
@@ -158,7 +173,7 @@ def check_citations(top, texts):
 
 def violations(top):
     texts = {str(path.relative_to(top)): path.read_text() for path in sources(top)}
-    return [*check_layers(texts), *check_files(texts), *check_citations(top, texts)]
+    return [*check_layers(texts), *check_files(texts), *check_types(texts), *check_citations(top, texts)]
 
 
 def main():

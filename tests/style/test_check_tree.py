@@ -82,6 +82,10 @@ class PlantedViolation(unittest.TestCase):
         self.plant("src/core/planted.cpp", "// as in [Nobody99, eq. 1]")
         self.found("src/core/planted.cpp", "[Nobody99]")
 
+    def test_two_types_of_one_name(self):
+        self.plant("src/run/planted.h", "class StepReport final {")
+        self.found("StepReport", "src/run/planted.h")
+
     def test_long_file(self):
         self.plant("src/core/planted.cpp", "\n" * check_tree.LONGEST_FILE)
         self.found("src/core/planted.cpp", "lines")

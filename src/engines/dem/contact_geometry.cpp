@@ -17,11 +17,11 @@ AreaEnergy::Value AreaEnergy::at(double area, double stiffness, double radius) c
     return {energy, exponent * energy / area};
 }
 
-ContactGeometry::ContactGeometry(const DemSettings& settings)
+TouchFinder::TouchFinder(const DemSettings& settings)
     : polygons_(settings.polygons), energy_{settings.area_exponent, settings.target_overlap} {}
 
-void ContactGeometry::find(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double stiffness,
-                           std::vector<Touch>& touches) {
+void TouchFinder::find(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double stiffness,
+                       std::vector<Touch>& touches) {
     const auto* polygon_a = std::get_if<PolarPolygon>(&a);
     const auto* polygon_b = std::get_if<PolarPolygon>(&b);
     if (polygon_a != nullptr && polygon_b != nullptr) {
@@ -35,8 +35,8 @@ void ContactGeometry::find(const Shape& a, const Pose& pose_a, const Shape& b, c
     }
 }
 
-void ContactGeometry::find(const PolarPolygon& a, const Pose& pose_a, const PolarPolygon& b, const Pose& pose_b,
-                           double stiffness, std::vector<Touch>& touches) {
+void TouchFinder::find(const PolarPolygon& a, const Pose& pose_a, const PolarPolygon& b, const Pose& pose_b,
+                       double stiffness, std::vector<Touch>& touches) {
     const double radius = std::min(a.inner_radius(), b.inner_radius());
     if (polygons_ == PolygonContact::potential) {
         const auto touch = potential_touch(a, pose_a, b, pose_b, 0.5 * stiffness * radius);
@@ -46,8 +46,8 @@ void ContactGeometry::find(const PolarPolygon& a, const Pose& pose_a, const Pola
     add_regions(overlap_.find(a, b, pose_b.relative_to(pose_a)), pose_a, stiffness, radius, touches);
 }
 
-void ContactGeometry::find(const SoftPiece& piece, const PolarPolygon& grain, const Pose& pose, double stiffness,
-                           std::vector<Touch>& touches) {
+void TouchFinder::find(const SoftPiece& piece, const PolarPolygon& grain, const Pose& pose, double stiffness,
+                       std::vector<Touch>& touches) {
     const double side = cross(piece.along, pose.centre - piece.a);
     if (std::abs(side) >= grain.outer_radius()) return;
     // Counter-clockwise about the box, its face first: the face runs against the chain where the grain is on its left.
@@ -58,8 +58,8 @@ void ContactGeometry::find(const SoftPiece& piece, const PolarPolygon& grain, co
     add_regions(overlap_.find(box, grain), pose, stiffness, grain.inner_radius(), touches);
 }
 
-void ContactGeometry::add_regions(std::span<const OverlapRegion> regions, const Pose& frame, double stiffness,
-                                  double radius, std::vector<Touch>& touches) const {
+void TouchFinder::add_regions(std::span<const OverlapRegion> regions, const Pose& frame, double stiffness,
+                              double radius, std::vector<Touch>& touches) const {
     double area = 0.0;
     for (const OverlapRegion& region : regions) area += region.area;
     if (!(area > 0.0)) return;

@@ -31,9 +31,9 @@ struct AreaEnergy {
 /// `touches`.
 ///
 /// Keeps memory between calls; one for each thread. Normals out of the first body into the second.
-class ContactGeometry {
+class TouchFinder {
 public:
-    explicit ContactGeometry(const DemSettings& settings);
+    explicit TouchFinder(const DemSettings& settings);
 
     /// Two grains, not both disks. `stiffness`: linear, of their materials [N/m^2].
     void find(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double stiffness,

@@ -113,7 +113,7 @@ private:
     SoftSystem system_;
     Integrator integrator_;
     double longest_part_;  ///< [s]
-    MotionState state_;
+    SchemeState state_;
 };
 
 }  // namespace

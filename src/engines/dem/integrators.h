@@ -10,7 +10,7 @@
 namespace polargrain {
 
 /// Coordinates, their rates and accelerations at one instant; any units.
-struct MotionState {
+struct SchemeState {
     double time = 0.0;  ///< [s]
     std::vector<double> x, v, a;
 };
@@ -28,7 +28,7 @@ struct SymplecticEuler {
     std::vector<double> memory;
 
     template <typename Equations>
-    void step(Equations& equations, MotionState& s, double h) {
+    void step(Equations& equations, SchemeState& s, double h) {
         for (std::size_t k = 0; k < s.x.size(); ++k) {
             s.v[k] += h * s.a[k];
             s.x[k] += h * s.v[k];
@@ -44,7 +44,7 @@ struct TaylorSeries {
     std::vector<double> memory;
 
     template <typename Equations>
-    void step(Equations& equations, MotionState& s, double h) {
+    void step(Equations& equations, SchemeState& s, double h) {
         for (std::size_t k = 0; k < s.x.size(); ++k) {
             s.x[k] += h * (s.v[k] + 0.5 * h * s.a[k]);
             s.v[k] += h * s.a[k];
@@ -60,7 +60,7 @@ struct PositionVerlet {
     std::vector<double> memory;
 
     template <typename Equations>
-    void step(Equations& equations, MotionState& s, double h) {
+    void step(Equations& equations, SchemeState& s, double h) {
         const std::size_t n = s.x.size();
         if (memory.size() != n + 1 || memory[0] != h) {
             memory.assign(1, h);
@@ -90,7 +90,7 @@ struct VelocityVerlet {
     double foresight = 1.0;  ///< f
 
     template <typename Equations>
-    void step(Equations& equations, MotionState& s, double h) {
+    void step(Equations& equations, SchemeState& s, double h) {
         const std::size_t n = s.x.size();
         half_.resize(n);
         for (std::size_t k = 0; k < n; ++k) {
@@ -113,7 +113,7 @@ struct Gear4 {
     std::vector<double> memory;
 
     template <typename Equations>
-    void step(Equations& equations, MotionState& s, double h) {
+    void step(Equations& equations, SchemeState& s, double h) {
         const std::size_t n = s.x.size();
         if (memory.size() != n) memory.assign(n, 0.0);
         for (std::size_t k = 0; k < n; ++k) {
@@ -152,7 +152,7 @@ struct Numerov {
     Damping damping = Damping::central;
 
     template <typename Equations>
-    void step(Equations& equations, MotionState& s, double h) {
+    void step(Equations& equations, SchemeState& s, double h) {
         const std::size_t n = s.x.size();
         still_.assign(n, 0.0);
         a_next_.resize(n);
@@ -190,7 +190,7 @@ struct Numerov {
 
 private:
     template <typename Equations>
-    void start(Equations& equations, const MotionState& s, double h) {
+    void start(Equations& equations, const SchemeState& s, double h) {
         const std::size_t n = s.x.size();
         std::vector<double> before(n);
         for (std::size_t k = 0; k < n; ++k) before[k] = s.x[k] - h * (s.v[k] - 0.5 * h * s.a[k]);
@@ -206,7 +206,7 @@ private:
 
     /// Acceleration that dashpots add at the present positions.
     template <typename Equations>
-    void add_dashpots(Equations& equations, const MotionState& s, double h) {
+    void add_dashpots(Equations& equations, const SchemeState& s, double h) {
         const std::size_t n = s.x.size();
         const double* before = memory.data() + 1;
         const double* a_now = before + 2 * n;
@@ -224,7 +224,7 @@ private:
     }
 
     template <typename Equations>
-    void finish(Equations& equations, MotionState& s, double h) {
+    void finish(Equations& equations, SchemeState& s, double h) {
         const std::size_t n = s.x.size();
         double* before = memory.data() + 1;
         for (std::size_t k = 0; k < n; ++k) {

@@ -29,8 +29,7 @@ bool before(const SoftContact& c, BodyIndex a, BodyIndex b) { return c.a != a ? 
 
 SoftSystem::SoftSystem(const Scene& scene, const DemSettings& settings)
     : scene_(scene), laws_(scene, settings), walls_(scene), candidates_(scene, settings) {
-    shares_.assign(static_cast<std::size_t>(std::max(1, scene.threads)),
-                   Share{ContactGeometry(settings), {}, {}, 0, 0});
+    shares_.assign(static_cast<std::size_t>(std::max(1, scene.threads)), Share{TouchFinder(settings), {}, {}, 0, 0});
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         const Shape& shape = scene.shape_of(k);
         const bool disk = std::holds_alternative<Disk>(shape);

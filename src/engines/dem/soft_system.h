@@ -61,7 +61,7 @@ private:
     void place_polygons(std::span<const double> x);
     /// What one thread finds in its share of the candidates, and its tools.
     struct Share {
-        ContactGeometry geometry;
+        TouchFinder geometry;
         std::vector<Touch> touches;
         std::vector<SoftContact> found;
         std::size_t cursor = 0;  ///< first old contact that has not been passed
