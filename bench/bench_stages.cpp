@@ -35,16 +35,22 @@ public:
             poses_.refresh(k);
         }
         time_ = world.time;
-        detect();
+        detection_.detect(poses_, poses_, bodies_, time_, time_, k_dt);
         // Impulses of a step already taken are what the next one starts from.
         std::vector<SolverBody> bodies = bodies_;
         PoseSet trial = poses_;
         contacts_ = detection_.contacts();
         report_.clear(scene_.walls.size());
         solver_.advance(contacts_, bodies, poses_, trial, 0, time_, k_dt, GapSolver::k_usual, report_);
+        for (std::size_t k = 0; k < n; ++k) trial.refresh(k);
+        next_poses_ = trial;
     }
 
-    void detect() { detection_.detect(poses_, poses_, bodies_, time_, time_, k_dt); }
+    /// To and fro between the poses at the two ends of a step: what has not moved is not looked at again.
+    void detect() {
+        detection_.detect(poses_, forth_ ? next_poses_ : poses_, bodies_, time_, time_ + k_dt, k_dt);
+        forth_ = !forth_;
+    }
 
     /// With the copies of the state that the engine takes before a step, too.
     void solve() {
@@ -71,7 +77,8 @@ private:
     GapSolver solver_;
     PositionCorrection correction_;
     std::vector<SolverBody> bodies_;
-    PoseSet poses_;
+    PoseSet poses_, next_poses_;
+    bool forth_ = true;  ///< the next detection is at next_poses_
     std::vector<GapContact> contacts_;
     StepReport report_;
     double time_ = 0.0;

@@ -103,17 +103,41 @@ def kernel_rows(found):
 
 
 STAGE_STATES = {"0": "falling", "250": "collapsing", "800": "at rest"}
+# The least that each stage must do in a step at rest, counted from the code: floating-point operations and bytes, for
+# each contact and for each grain. docs/performance.md says what is counted.
+SUB_STEPS = 8
+LEAST = {"detection": {"contact": (30, 100), "grain": (70, 240)},
+         "sub_steps": {"contact": (SUB_STEPS * (63 + 32), SUB_STEPS * (280 + 216)),
+                       "grain": (SUB_STEPS * 30, SUB_STEPS * 150)}}
+# What a core does in a cycle without effort: two operations on four numbers each, a load and a store of 16 bytes.
+OPERATIONS_PER_CYCLE = 8
+BYTES_PER_CYCLE = 32
 
 
-def stage_rows(found):
-    """A row per stage, a column per state of the pour; ns per grain."""
+def floor(stage, contacts_per_grain, megahertz):
+    """Operations, bytes and nanoseconds a grain below which a step at rest cannot be; the slower of the two counts."""
+    per_contact, per_grain = LEAST[stage]["contact"], LEAST[stage]["grain"]
+    operations, transfers = (contacts_per_grain * c + g for c, g in zip(per_contact, per_grain))
+    cycles = max(operations / OPERATIONS_PER_CYCLE, transfers / BYTES_PER_CYCLE)
+    return operations, transfers, 1e3 * cycles / megahertz
+
+
+def stage_rows(found, megahertz):
+    """A row per stage, a column per state of the pour, ns per grain; then the floor at rest and how far above it is."""
     table = {}
     for b in found:
         _, stage, _, state = b["name"].split("/")[:4]
         table.setdefault(stage, {})[state.split(":")[1]] = 1e9 * b["s_per_grain"]
-    yield ["stage of a step of `contact`, ns a grain", *STAGE_STATES.values()]
+        contacts = b["contacts_per_grain"]  # the last is at rest
+    yield ["stage of a step of `contact`, ns a grain", *STAGE_STATES.values(), "floor at rest", "over the floor",
+           "operations", "bytes"]
     for stage, by_state in table.items():
-        yield [stage.replace("_", " "), *(number(by_state[state]) for state in STAGE_STATES)]
+        row = [stage.replace("_", " "), *(number(by_state[state]) for state in STAGE_STATES)]
+        if stage not in LEAST:
+            yield [*row, *[""] * 4]
+            continue
+        operations, transfers, least = floor(stage, contacts, megahertz)
+        yield [*row, number(least), number(by_state["800"] / least), f"{operations:.0f}", f"{transfers:.0f}"]
 
 
 def markdown(rows):
@@ -171,7 +195,7 @@ def main():
         write_csv(options.folder / "table.csv", rows)
     text = "\n".join([*heading(kernels["context"]), "",
                       "CPU seconds per simulated second, by phase of the pour and over the whole of it:", "",
-                      markdown(pour_rows(rows)), markdown(stage_rows(stages)),
+                      markdown(pour_rows(rows)), markdown(stage_rows(stages, kernels["context"]["mhz_per_cpu"])),
                       markdown(kernel_rows(kernels["benchmarks"]))])
     (options.folder / "table.md").write_text(text)
     print(text, end="")

@@ -27,9 +27,17 @@ class Table(unittest.TestCase):
         self.assertEqual(body[1][4], "no")
 
     def test_stages_have_a_column_per_state(self):
-        found = [{"name": f"stage/sub_steps/grains:500/warm_up:{state}", "s_per_grain": 1e-9 * k}
-                 for k, state in enumerate(table.STAGE_STATES, 1)]
-        self.assertEqual(list(table.stage_rows(found))[1:], [["sub steps", "1", "2", "3"]])
+        found = [{"name": f"stage/energy_sum/grains:500/warm_up:{state}", "s_per_grain": 1e-9 * k,
+                  "contacts_per_grain": 0.0} for k, state in enumerate(table.STAGE_STATES, 1)]
+        header, row = table.stage_rows(found, 1000.0)
+        self.assertEqual(row, ["energy sum", "1", "2", "3", "", "", "", ""])
+        self.assertEqual(len(row), len(header))
+
+    def test_stages_are_held_to_their_floor_at_rest(self):
+        found = [{"name": f"stage/detection/grains:500/warm_up:{state}", "s_per_grain": 1e-7,
+                  "contacts_per_grain": contacts} for state, contacts in zip(table.STAGE_STATES, (0.0, 9.0, 2.0))]
+        # 2 x 30 + 70 operations, 8 in a cycle of 1 ns, take longer than 2 x 100 + 240 bytes at 32.
+        self.assertEqual(list(table.stage_rows(found, 1000.0))[1][4:], ["16.2", "6.15", "130", "440"])
 
     def test_kernels_are_in_nanoseconds_and_fits_left_out(self):
         found = [{"name": "impact", "run_type": "iteration", "cpu_time": 2.5, "time_unit": "us"},
