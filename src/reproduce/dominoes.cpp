@@ -10,7 +10,6 @@ namespace polargrain {
 namespace {
 
 constexpr double k_g = 9.81;
-constexpr int k_count = 48;
 
 constexpr const char* k_template = R"(title = "Toppling dominoes, {name}, gap {gap} thicknesses"
 source = "Hogue & Newland 1994, section 4.1, Table 1, Figures 10-12"
@@ -58,7 +57,7 @@ first = {{ position = [0.0, {raised}], angle = {lean}, velocity = [{push}, 0.0],
 frames = {{ every = 0.0 }}
 trajectory = {{ every = {recorded} }}
 series = {{ every = 0.0 }}
-)";
+{tables})";
 
 }  // namespace
 
@@ -80,32 +79,39 @@ const std::vector<std::string>& domino_engines() {
     return engines;
 }
 
-Piece domino_piece(const DominoKind& kind, double gap, double table_friction, const std::string& engine,
-                   double recorded) {
+Piece domino_piece(const DominoSetup& setup) {
     using namespace fmt::literals;
-    const double pitch = kind.thickness * (1.0 + gap);
+    const DominoKind& kind = setup.kind;
+    const double pitch = kind.thickness * (1.0 + setup.gap);
     // Half the way to the next one, so that the first does not stand in it.
-    const double lean = std::min(0.14, 0.5 * std::asin(gap * kind.thickness / kind.height));
+    const double lean = setup.lean * std::min(0.14, 0.5 * std::asin(setup.gap * kind.thickness / kind.height));
     const double raised = 0.5 * (kind.height * std::cos(lean) + kind.thickness * std::sin(lean)) + kind.height / 400.0;
     // A push that topples the next one at every spacing: the rate at which the chain of the theories is set going.
     const double rate = std::sqrt(k_g / kind.height);
     // The slowest wave of all theories takes this long, and half as long again.
-    const double duration = 1.5 * pitch * k_count / (0.9 * kind.speed_unit()) + 0.3;
-    std::string name = fmt::format("dominoes-{}-gap{}-mu{}-{}", kind.name, gap, table_friction, engine);
+    const double duration = 1.5 * pitch * setup.count / (0.9 * kind.speed_unit()) + 0.3;
+    std::string name =
+        fmt::format("dominoes-{}-gap{}-mu{}-{}", kind.name, setup.gap, setup.table_friction, setup.engine);
     std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c == '.' ? 'p' : c; });
-    if (recorded > 0.0) name += "-recorded";
+    if (setup.recorded > 0.0) name += "-recorded";
     // The literal method freezes lasting contacts for a step at a time and needs a fraction of its own limit here; the
     // refined one gets the same step. The others choose their own.
-    const bool contact_model = engine.starts_with("contact");
+    const double factor = setup.time_step_factor.value_or(setup.engine.starts_with("contact") ? 0.14 : 1.0);
     return {name,
-            fmt::format(fmt::runtime(k_template), "name"_a = kind.name, "gap"_a = gap, "engine"_a = engine,
+            fmt::format(fmt::runtime(k_template), "name"_a = kind.name, "gap"_a = setup.gap, "engine"_a = setup.engine,
                         "duration"_a = duration, "g"_a = k_g, "e"_a = kind.restitution, "mu"_a = kind.friction,
-                        "table_mu"_a = table_friction, "h"_a = kind.thickness, "L"_a = kind.height,
-                        "left"_a = -5.0 * kind.height, "right"_a = pitch * k_count + 5.0 * kind.height,
-                        "count"_a = k_count, "half"_a = 0.5 * kind.height, "pitch"_a = pitch, "raised"_a = raised,
+                        "table_mu"_a = setup.table_friction, "h"_a = kind.thickness, "L"_a = kind.height,
+                        "left"_a = -5.0 * kind.height, "right"_a = pitch * setup.count + 5.0 * kind.height,
+                        "count"_a = setup.count, "half"_a = 0.5 * kind.height, "pitch"_a = pitch, "raised"_a = raised,
                         "lean"_a = -lean * 180.0 / M_PI, "spin"_a = -rate, "push"_a = 0.5 * rate * kind.height,
-                        "recorded"_a = recorded, "factor"_a = contact_model ? 0.14 : 1.0),
-            engine};
+                        "recorded"_a = setup.recorded, "factor"_a = factor, "tables"_a = setup.tables),
+            setup.engine};
+}
+
+Piece domino_piece(const DominoKind& kind, double gap, double table_friction, const std::string& engine,
+                   double recorded) {
+    return domino_piece(DominoSetup{
+        .kind = kind, .gap = gap, .table_friction = table_friction, .engine = engine, .recorded = recorded});
 }
 
 }  // namespace polargrain

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,24 @@ inline constexpr double k_chain_step = 3e-4;
 /// The engines whose dominoes are compared.
 const std::vector<std::string>& domino_engines();
 
-/// A row of 48 dominoes of one kind on a table of its own friction; the first leans, and turns at sqrt(g / L).
+/// A row of dominoes of one kind on a table of its own friction.
+struct DominoSetup {
+    DominoKind kind = {};
+    double gap = 0.0;  ///< lambda / h
+    double table_friction = 0.0;
+    std::string engine = {};
+    double recorded = 0.0;  ///< interval between stored frames [s]; 0: none
+    int count = 48;
+    double lean = 1.0;                                      ///< of the first one, over the usual lean
+    std::optional<double> time_step_factor = std::nullopt;  ///< none: as far as that engine is to be trusted
+    std::string tables = {};                                ///< further tables of the scenario file
+};
+
+/// The row as a piece; the first domino leans, and turns at sqrt(g / L).
 ///
 /// The dominoes stand; the first hangs a four-hundredth of its height above the table, because the literal method never
-/// lets go of a grain that rests on something. Restitution against the table is that of the dominoes. `recorded`: the
-/// interval between stored frames [s], 0 for none.
+/// lets go of a grain that rests on something. Restitution against the table is that of the dominoes.
+Piece domino_piece(const DominoSetup& setup);
 Piece domino_piece(const DominoKind& kind, double gap, double table_friction, const std::string& engine,
                    double recorded = 0.0);
 

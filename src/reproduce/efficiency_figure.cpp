@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "src/plot/plot.h"
-#include "src/reproduce/dominoes.h"
+#include "src/reproduce/efficiency_ladder.h"
+#include "src/reproduce/efficiency_scenes.h"
 #include "src/reproduce/recorded_run.h"
 #include "src/reproduce/simulation_figures.h"
 
@@ -11,43 +15,137 @@ namespace polargrain {
 
 namespace {
 
-const Engines k_compared{"contact-1994", "contact", "dem", "box2d"};
+const Engines k_compared{"contact", "contact-1994", "dem", "box2d"};
 constexpr const char* k_soft = "dem";
+/// Two methods that share the shapes and nothing else: where both lead, when refined, is what is right.
+const Engines k_trusted{"contact", k_soft};
+constexpr std::array k_tolerances{0.10, 0.05, 0.02};
+constexpr double k_stated = 0.05;       ///< the tolerance of the verdicts
+constexpr double k_least_drawn = 1e-3;  ///< errors below are drawn here, as a logarithm has no zero
 
-/// A kind of simulation that the paper speaks of, and the piece it is measured on.
-struct Task {
-    std::string name;
-    Piece (*piece)(const std::string& engine);
+/// All ladders of one scene.
+struct Ladders {
+    ConvergedValue converged;
+    std::map<std::string, std::vector<RungResult>> of;  ///< by engine, coarse to fine
+
+    std::optional<RungResult> right(const std::string& engine, double tolerance) const {
+        const auto found = of.find(engine);
+        return found == of.end() ? std::nullopt : cheapest_right(found->second, tolerance);
+    }
 };
 
-Piece dominoes(const std::string& engine) { return domino_piece(table_1().front(), 2.0, k_rough_table, engine); }
-
-/// A shipped scenario with nothing recorded, and cut short: enough to tell what it costs.
-Piece timed(const std::string& scenario, const std::string& engine, unsigned seed, std::vector<std::string> set) {
-    set.insert(set.end(), {"output.trajectory.every=0.0", "output.series.every=0.0"});
-    if (!engine.starts_with("contact")) set.emplace_back("run.time_step=\"critical\"");
-    Piece piece = shipped_piece(scenario, engine, seed, set);
-    piece.name += "-timed";
-    return piece;
+Rung read_rung(const FigureDesk& desk, const EfficiencyScene& scene, const std::string& engine,
+               const EfficiencyRun& step) {
+    Rung rung{step.label, {}, {}};
+    for (unsigned beginning = 1; beginning <= scene.beginnings; ++beginning) {
+        const RecordedRun run = read_run(desk.run(scene.piece(engine, step, beginning)));
+        rung.values.push_back(run.observable(scene.observable));
+        rung.costs.push_back(run.cpu_seconds / run.simulated_seconds);
+    }
+    return rung;
 }
 
-Piece pouring(const std::string& engine) { return timed("pour-500-disks", engine, 1, {"run.duration=0.6"}); }
-Piece bin(const std::string& engine) {
-    return timed("bin-rough", engine, 4, {"run.duration=0.3", "settle.at_most=0.3"});
+Ladders read_ladders(const FigureDesk& desk, const EfficiencyScene& scene, const Engines& engines) {
+    std::map<std::string, std::vector<Rung>> rungs;
+    for (const std::string& engine : engines) {
+        for (const EfficiencyRun& step : efficiency_ladder(scene, engine)) {
+            rungs[engine].push_back(read_rung(desk, scene, engine, step));
+        }
+    }
+    std::vector<Rung> finest;
+    for (const std::string& engine : at_hand(k_trusted, engines)) finest.push_back(rungs[engine].back());
+    Ladders ladders{converged_value(finest), {}};
+    for (const auto& [engine, steps] : rungs) {
+        for (const Rung& rung : steps) ladders.of[engine].push_back(rung_result(rung, ladders.converged));
+    }
+    return ladders;
 }
 
-const std::vector<Task>& tasks() {
-    static const std::vector<Task> all{
-        {"48 dominoes", dominoes}, {"500 disks poured", pouring}, {"500 rough grains, bin", bin}};
-    return all;
+/// The key stands in the first panel of the plot.
+Panel error_panel(const EfficiencyScene& scene, const Ladders& ladders, const Engines& engines, bool first) {
+    Panel panel{.title = scene.name + ": " + scene.quantity,
+                .x_label = "processor time per simulated second [s]",
+                .y_label = "error",
+                .y_range = std::pair{k_least_drawn, 1.0},
+                .log_x = true,
+                .log_y = true,
+                .key = first ? KeyPlace::top_right : KeyPlace::none};
+    int colour = 0;
+    for (const std::string& engine : engines) {
+        Series series{.label = engine, .style = SeriesStyle::line_points, .colour = colour++};
+        for (const RungResult& rung : ladders.of.at(engine)) {
+            const double error = std::max(rung.error, k_least_drawn);
+            series.x.push_back(rung.cost);
+            series.y.push_back(error);
+            series.y_error.push_back(std::min(rung.uncertainty, error - 0.5 * k_least_drawn));
+        }
+        panel.series.push_back(std::move(series));
+    }
+    const double known = ladders.converged.uncertainty / std::abs(ladders.converged.value);
+    panel.levels = {{k_stated, "5 %"}, {std::max(known, k_least_drawn), "converged value"}};
+    return panel;
+}
+
+void add_rungs(FigureTable& table, const EfficiencyScene& scene, const Ladders& ladders, const Engines& engines) {
+    for (const std::string& engine : engines) {
+        for (const RungResult& rung : ladders.of.at(engine)) {
+            table.rows.push_back({scene.name, engine, rung.label, fmt::format("{:.3g}", rung.cost),
+                                  fmt::format("{:.4g} ± {:.2g}", rung.value, rung.spread),
+                                  fmt::format("{:.1f} ± {:.1f}", 100.0 * rung.error, 100.0 * rung.uncertainty)});
+        }
+    }
+}
+
+std::string cost_text(const std::optional<RungResult>& right) {
+    return right ? fmt::format("{:.3g} ({})", right->cost, right->label) : "never";
+}
+
+void add_costs(FigureTable& table, const EfficiencyScene& scene, const Ladders& ladders, const Engines& engines) {
+    for (const double tolerance : k_tolerances) {
+        std::vector<std::string> row{
+            scene.name, fmt::format("{:.4g} ± {:.2g}", ladders.converged.value, ladders.converged.uncertainty),
+            fmt::format("{:.0f} %", 100.0 * tolerance)};
+        for (const std::string& engine : engines) row.push_back(cost_text(ladders.right(engine, tolerance)));
+        table.rows.push_back(std::move(row));
+    }
+}
+
+/// How many times cheaper than the soft engine at equal error, for each contact engine.
+void add_verdicts(std::vector<Finding>& findings, const EfficiencyScene& scene, const Ladders& ladders,
+                  const Engines& engines) {
+    const auto soft = ladders.right(k_soft, k_stated);
+    for (const std::string& engine : at_hand({"contact-1994", "contact"}, engines)) {
+        const auto right = ladders.right(engine, k_stated);
+        Finding finding{engine,
+                        scene.name + ": processor time of springs and dashpots over this, both right to 5 %",
+                        soft && right ? soft->cost / right->cost : std::nan(""),
+                        5.0,
+                        20.0,
+                        "",
+                        "[HN94, sec. 4.4]: about an order of magnitude",
+                        ""};
+        if (!right) finding.why = "no time step of this engine gives the " + scene.quantity;
+        if (!soft) finding.why = "no stiffness of the springs gives the " + scene.quantity;
+        if (soft && right && finding.measured < finding.lowest) {
+            finding.why = "soft contacts are cheap where grains are few or round, and lasting contacts cost iterations";
+        }
+        if (finding.measured > finding.highest) finding.why = "springs that are stiff enough need short steps";
+        findings.push_back(std::move(finding));
+    }
 }
 
 }  // namespace
 
 std::vector<Piece> efficiency_pieces(const Engines& engines) {
     std::vector<Piece> pieces;
-    for (const Task& task : tasks()) {
-        for (const std::string& engine : at_hand(k_compared, engines)) pieces.push_back(task.piece(engine));
+    for (const EfficiencyScene& scene : efficiency_scenes()) {
+        for (const std::string& engine : at_hand(k_compared, engines)) {
+            for (const EfficiencyRun& run : efficiency_ladder(scene, engine)) {
+                for (unsigned beginning = 1; beginning <= scene.beginnings; ++beginning) {
+                    pieces.push_back(scene.piece(engine, run, beginning));
+                }
+            }
+        }
     }
     return pieces;
 }
@@ -55,62 +153,35 @@ std::vector<Piece> efficiency_pieces(const Engines& engines) {
 FigureResult draw_efficiency(const FigureDesk& desk) {
     FigureResult result;
     const Engines engines = at_hand(k_compared, desk.engines());
-    FigureTable table{"Processor time, one thread, nothing recorded",
-                      {"simulation", "engine", "time step [s]", "steps", "processor time [s]",
-                       "per simulated second [s]", "per grain and step [µs]"},
+    FigureTable costs{"Processor time per simulated second with the coarsest step that is right to a tolerance [s]",
+                      {"simulation", "converged value", "tolerance"},
                       {}};
-    Panel panel{.title = "processor time per simulated second",
-                .y_label = "[s] per simulated [s]",
-                .x_range = std::pair{0.5, static_cast<double>(tasks().size()) + 0.5},
-                .log_y = true,
-                .key = KeyPlace::top_left};
-    int colour = 0;
-    for (const std::string& engine : engines) {
-        Series series{.label = engine, .style = SeriesStyle::line_points, .colour = colour++};
-        for (std::size_t t = 0; t < tasks().size(); ++t) {
-            const RecordedRun run = read_run(desk.run(tasks()[t].piece(engine)));
-            const double per_second = run.cpu_seconds / run.simulated_seconds;
-            series.x.push_back(static_cast<double>(t) + 1.0);
-            series.y.push_back(per_second);
-            table.rows.push_back({tasks()[t].name, engine, fmt::format("{:.3g}", run.time_step),
-                                  fmt::format("{:.0f}", run.steps), fmt::format("{:.2f}", run.cpu_seconds),
-                                  fmt::format("{:.3g}", per_second),
-                                  fmt::format("{:.2f}", 1e6 * run.cpu_seconds / (run.grains * run.steps))});
-        }
-        panel.series.push_back(std::move(series));
+    costs.header.insert(costs.header.end(), engines.begin(), engines.end());
+    FigureTable rungs{"Every step: one thread, nothing recorded; mean and spread over runs, standard errors",
+                      {"simulation", "engine", "step", "processor time per simulated second [s]", "value", "error [%]"},
+                      {}};
+    Plot plot{"Section 4.4: error over cost", {}, 3, 1700, 560};
+    for (const EfficiencyScene& scene : efficiency_scenes()) {
+        const Ladders ladders = read_ladders(desk, scene, engines);
+        plot.panels.push_back(error_panel(scene, ladders, engines, plot.panels.empty()));
+        add_rungs(rungs, scene, ladders, engines);
+        add_costs(costs, scene, ladders, engines);
+        add_verdicts(result.findings, scene, ladders, engines);
     }
-    for (const Task& task : tasks()) panel.x_names.push_back(task.name);
-    write_plot({"Section 4.4: what a simulated second costs", {panel}, 1, 900, 600}, desk.stem("efficiency"));
-    result.pictures = {{desk.stem("efficiency"), "Cost of the same scenes with the engines of this build"}};
-    result.tables = {std::move(table)};
-
-    const bool soft = !at_hand({k_soft}, engines).empty();
-    for (const Task& task : tasks()) {
-        for (const std::string& engine : at_hand({"contact-1994", "contact"}, engines)) {
-            const RecordedRun run = read_run(desk.run(task.piece(engine)));
-            const double cost = run.cpu_seconds / run.simulated_seconds;
-            result.findings.push_back({engine, task.name + ": processor time per simulated second", cost, 0.0,
-                                       task.name == "48 dominoes" ? 120.0 : 7200.0, "s",
-                                       "[HN94, sec. 4.4]: several minutes for dominoes, 2 h for a bin, in 1993", ""});
-            if (!soft) continue;
-            const RecordedRun soft_run = read_run(desk.run(task.piece(k_soft)));
-            const double ratio = soft_run.cpu_seconds / soft_run.simulated_seconds / cost;
-            result.findings.push_back(
-                {engine, task.name + ": processor time of springs and dashpots over this", ratio, 5.0, 20.0, "",
-                 "[HN94, sec. 4.4]: about an order of magnitude",
-                 ratio < 5.0
-                     ? "the refined contacts cost iterations, and soft contacts are cheap where grains are few or round"
-                     : "the soft contacts are stiff here, and need short steps"});
-        }
-    }
+    write_plot(plot, desk.stem("efficiency"));
+    result.pictures = {{desk.stem("efficiency"),
+                        "Error of an observable over processor time, from coarse steps to fine ones; error bars are "
+                        "standard errors over runs from different beginnings. Dotted: 5 %, and how well the converged "
+                        "value is known"}};
+    result.tables = {std::move(costs), std::move(rungs)};
     result.paragraphs = {
         "The paper finds the contact model about ten times as fast as springs and dashpots, from a few simple "
-        "examples, "
-        "without numbers.",
-        soft ? "Here the same scenes go through both, on one processor and with the step that each engine takes by "
-               "itself (the "
-               "contact engines: that of the scenario)."
-             : "This build has no engine with springs and dashpots: only the cost of the contact model is given."};
+        "examples, without numbers. Here the same scenes go through every engine, each with a ladder of time steps. "
+        "The step of the soft engine follows from the stiffness of its springs, given by how deep, over the inner "
+        "radius, the fastest possible impact may press grains into one another.",
+        "The converged value is the mean of the finest runs of the engines contact and dem, which share the shapes and "
+        "nothing else; half their difference, or the standard error if that is larger, is how well it is known. A step "
+        "counts as right if it and all finer ones are."};
     return result;
 }
 
