@@ -27,13 +27,42 @@ void NeighbourSearch::find_pairs(std::span<const BoundingCircle> circles, std::v
     enter(circles);
     sort_into_buckets();
     // Each circle looks at its own level and at every coarser one, where it meets the larger circles.
+    constexpr std::size_t k_run = 512;
     const auto levels = static_cast<std::int32_t>(level_used_.size());
-    for (const Entry& self : entries_) {
-        for (std::int32_t level = self.level; level < levels; ++level) {
-            if (level_used_[static_cast<std::size_t>(level)]) meet(self, level, circles, pairs);
+    found_.resize((entries_.size() + k_run - 1) / k_run);
+    parallel_.runs(entries_.size(), k_run, [&](std::size_t first, std::size_t last) {
+        std::vector<GrainPair>& found = found_[first / k_run];
+        found.clear();
+        for (std::size_t k = first; k < last; ++k) {
+            const Entry& self = entries_[k];
+            for (std::int32_t level = self.level; level < levels; ++level) {
+                if (level_used_[static_cast<std::size_t>(level)]) meet(self, level, circles, found);
+            }
+        }
+    });
+    gather(circles.size(), pairs);
+}
+
+// A counting sort by the lower grain; the few pairs of one grain are sorted by comparison.
+void NeighbourSearch::gather(std::size_t circles, std::vector<GrainPair>& pairs) {
+    fill_.assign(circles + 1, 0);
+    for (const auto& found : found_) {
+        for (const auto& [a, b] : found) ++fill_[static_cast<std::size_t>(a) + 1];
+    }
+    for (std::size_t a = 0; a < circles; ++a) fill_[a + 1] += fill_[a];
+    pairs.resize(static_cast<std::size_t>(fill_.back()));
+    for (const auto& found : found_) {
+        for (const GrainPair& pair : found) {
+            pairs[static_cast<std::size_t>(fill_[static_cast<std::size_t>(pair.first)]++)] = pair;
         }
     }
-    std::sort(pairs.begin(), pairs.end());
+    // Where the pairs of a grain end is now where those of the next one begin.
+    auto begin = pairs.begin();
+    for (std::size_t a = 0; a < circles; ++a) {
+        const auto end = pairs.begin() + fill_[a];
+        std::sort(begin, end);
+        begin = end;
+    }
 }
 
 // Level l holds radii up to smallest x 2^(l + 1) in cells of twice that: a circle reaches the neighbouring cells of its

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/core/parallel.h"
 #include "src/core/vec2.h"
 #include "src/model/grains.h"
 
@@ -24,6 +25,9 @@ using GrainPair = std::pair<GrainIndex, GrainIndex>;
 /// of circles however much their sizes differ, and wherever in the plane they are.
 class NeighbourSearch {
 public:
+    /// threads share the search; their number changes nothing of the result.
+    explicit NeighbourSearch(int threads = 1) : parallel_(threads) {}
+
     void find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs);
 
 private:
@@ -35,6 +39,7 @@ private:
 
     void enter(std::span<const BoundingCircle> circles);
     void sort_into_buckets();
+    void gather(std::size_t circles, std::vector<GrainPair>& pairs);
     void meet(const Entry& self, std::int32_t level, std::span<const BoundingCircle> circles,
               std::vector<GrainPair>& pairs) const;
     double cell_size(std::int32_t level) const;
@@ -44,6 +49,8 @@ private:
     std::vector<char> level_used_;  // is there a circle of this level?
     std::vector<std::int32_t> bucket_start_, fill_;
     std::vector<Entry> entries_, sorted_;
+    Parallel parallel_;
+    std::vector<std::vector<GrainPair>> found_;  // by runs of entries
 };
 
 }  // namespace polargrain

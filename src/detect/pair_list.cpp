@@ -5,7 +5,7 @@
 
 namespace polargrain {
 
-PairList::PairList(const Scene& scene) {
+PairList::PairList(const Scene& scene) : search_(std::max(1, scene.threads)) {
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) radii_.push_back(outer_radius(scene.shape_of(k)));
 }
 

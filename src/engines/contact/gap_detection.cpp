@@ -224,17 +224,39 @@ void GapDetection::find_moved(const PoseSet& before, const PoseSet& now) {
 
 void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved) {
     if (found_.contacts.size() > 2 * in_order_) put_in_order();
-    patch_.found.clear();
+    affected_pairs_.clear();
     for (const auto& [a, b] : list_.pairs()) {
-        if (moved[Grains::at(a)] || moved[Grains::at(b)]) detect_pair(patch_, now, a, b);
+        if (moved[Grains::at(a)] || moved[Grains::at(b)]) affected_pairs_.emplace_back(a, b);
     }
-    for (GrainIndex k = 0; k < static_cast<GrainIndex>(now.pose.size()); ++k) {
-        if (!moved[Grains::at(k)]) continue;
-        seen_[Grains::at(k)] = now.pose[Grains::at(k)];
-        for (std::size_t p = 0; p < pieces_.size(); ++p) {
-            detect_wall(patch_, before, now, k, static_cast<std::int32_t>(p));
+    affected_grains_.clear();
+    for (std::size_t k = 0; k < now.pose.size(); ++k) {
+        if (!moved[k]) continue;
+        seen_[k] = now.pose[k];
+        affected_grains_.push_back(static_cast<GrainIndex>(k));
+    }
+    // Runs of a fixed length, those of the pairs first.
+    constexpr std::size_t k_run = 100;
+    const std::size_t pair_runs = (affected_pairs_.size() + k_run - 1) / k_run;
+    const std::size_t grain_runs = (affected_grains_.size() + k_run - 1) / k_run;
+    shares_.resize(std::max(shares_.size(), pair_runs + grain_runs));
+    parallel_.each(pair_runs + grain_runs, [&](std::size_t s) {
+        Share& share = shares_[s];
+        share.found.clear();
+        const std::size_t first = k_run * (s < pair_runs ? s : s - pair_runs);
+        if (s < pair_runs) {
+            for (std::size_t n = first; n < std::min(first + k_run, affected_pairs_.size()); ++n) {
+                detect_pair(share, now, affected_pairs_[n].first, affected_pairs_[n].second);
+            }
+            return;
         }
-    }
+        for (std::size_t n = first; n < std::min(first + k_run, affected_grains_.size()); ++n) {
+            for (std::size_t p = 0; p < pieces_.size(); ++p) {
+                detect_wall(share, before, now, affected_grains_[n], static_cast<std::int32_t>(p));
+            }
+        }
+    });
+    patch_.clear();
+    for (std::size_t s = 0; s < pair_runs + grain_runs; ++s) patch_.append(shares_[s].found);
     splice(moved);
 }
 
@@ -242,14 +264,14 @@ void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const
 /// new ones come behind all others.
 void GapDetection::splice(const std::vector<char>& moved) {
     const auto offset = static_cast<std::int32_t>(found_.contacts.size());
-    for (PairContacts& pair : patch_.found.pairs) pair.first += offset;
-    found_.contacts.insert(found_.contacts.end(), patch_.found.contacts.begin(), patch_.found.contacts.end());
-    found_.points.insert(found_.points.end(), patch_.found.points.begin(), patch_.found.points.end());
+    for (PairContacts& pair : patch_.pairs) pair.first += offset;
+    found_.contacts.insert(found_.contacts.end(), patch_.contacts.begin(), patch_.contacts.end());
+    found_.points.insert(found_.points.end(), patch_.points.begin(), patch_.points.end());
     std::erase_if(found_.pairs, [&](const PairContacts& pair) {
         return moved[Grains::at(pair.i)] || (!is_wall(pair.j) && moved[Grains::at(pair.j)]);
     });
     const auto middle = static_cast<std::ptrdiff_t>(found_.pairs.size());
-    found_.pairs.insert(found_.pairs.end(), patch_.found.pairs.begin(), patch_.found.pairs.end());
+    found_.pairs.insert(found_.pairs.end(), patch_.pairs.begin(), patch_.pairs.end());
     std::inplace_merge(found_.pairs.begin(), found_.pairs.begin() + middle, found_.pairs.end(), before_pair);
     spliced_ = true;
 }
@@ -258,7 +280,7 @@ void GapDetection::splice(const std::vector<char>& moved) {
 void GapDetection::put_in_order() {
     if (!spliced_) return;
     spliced_ = false;
-    Found& ordered = patch_.found;
+    Found& ordered = patch_;
     ordered.clear();
     for (PairContacts pair : found_.pairs) {
         const auto first = static_cast<std::ptrdiff_t>(pair.first);
@@ -297,8 +319,8 @@ void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     }
     handed_over_ = false;
     last_points_.swap(found_.points);
-    shares_.resize(2 * runs);
-    parallel_.each(shares_.size(), [&](std::size_t s) {
+    shares_.resize(std::max(shares_.size(), 2 * runs));
+    parallel_.each(2 * runs, [&](std::size_t s) {
         Share& share = shares_[s];
         share.found.clear();
         const std::size_t part = s % runs;
@@ -313,7 +335,7 @@ void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     found_.contacts.swap(shares_[0].found.contacts);
     found_.pairs.swap(shares_[0].found.pairs);
     found_.points.swap(shares_[0].found.points);
-    for (std::size_t s = 1; s < shares_.size(); ++s) found_.append(shares_[s].found);
+    for (std::size_t s = 1; s < 2 * runs; ++s) found_.append(shares_[s].found);
     in_order_ = found_.contacts.size();
     seen_ = now.pose;
     seen_pieces_ = pieces_.size();

@@ -114,7 +114,9 @@ private:
     double gravity_way_ = 0.0;  ///< 2 g dt^2
     Found found_;
     std::vector<Share> shares_;
-    Share patch_;
+    Found patch_;
+    std::vector<GrainPair> affected_pairs_;
+    std::vector<GrainIndex> affected_grains_;
     std::size_t in_order_ = 0;  ///< contacts when they were last in order
     bool spliced_ = false;      ///< some contacts have been replaced, and new ones stand behind the others
     bool handed_over_ = false;  ///< found_ holds what came in exchange
