@@ -16,8 +16,8 @@ namespace {
 // Eight numbers of a kind; the compiler splits the arithmetic to the width of the machine.
 using Wide = double __attribute__((vector_size(64), may_alias));
 using Mask = std::int64_t __attribute__((vector_size(64), may_alias));
-// Four numbers of one body, as they stand in memory.
-using Quad = double __attribute__((vector_size(32), aligned(16), may_alias));
+// Four numbers of one body; bodies are not aligned to it.
+using Quad = double __attribute__((vector_size(32)));
 
 static_assert(sizeof(Lanes) == sizeof(Wide));
 
@@ -29,11 +29,19 @@ struct Bodies {
     Wide vx, vy, spin, inverse_mass;
 };
 
+inline void load_one(const double* body, Quad& four) { __builtin_memcpy(&four, body, sizeof(four)); }
+
+inline void store_one(double* body, const Quad& four) { __builtin_memcpy(body, &four, sizeof(four)); }
+
 inline void load_four(const double* bodies, const std::int32_t* which, Quad& vx, Quad& vy, Quad& spin, Quad& mass) {
-    const Quad a = *reinterpret_cast<const Quad*>(bodies + k_body_stride * which[0]);
-    const Quad b = *reinterpret_cast<const Quad*>(bodies + k_body_stride * which[1]);
-    const Quad c = *reinterpret_cast<const Quad*>(bodies + k_body_stride * which[2]);
-    const Quad d = *reinterpret_cast<const Quad*>(bodies + k_body_stride * which[3]);
+    Quad a;
+    load_one(bodies + k_body_stride * which[0], a);
+    Quad b;
+    load_one(bodies + k_body_stride * which[1], b);
+    Quad c;
+    load_one(bodies + k_body_stride * which[2], c);
+    Quad d;
+    load_one(bodies + k_body_stride * which[3], d);
     const Quad ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
     const Quad ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
     const Quad cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
@@ -61,10 +69,10 @@ inline void store_four(double* bodies, const std::int32_t* which, const Quad& vx
     const Quad cd_even = __builtin_shufflevector(vx, spin, 2, 3, 6, 7);
     const Quad ab_odd = __builtin_shufflevector(vy, mass, 0, 1, 4, 5);
     const Quad cd_odd = __builtin_shufflevector(vy, mass, 2, 3, 6, 7);
-    *reinterpret_cast<Quad*>(bodies + k_body_stride * which[0]) = __builtin_shufflevector(ab_even, ab_odd, 0, 4, 2, 6);
-    *reinterpret_cast<Quad*>(bodies + k_body_stride * which[1]) = __builtin_shufflevector(ab_even, ab_odd, 1, 5, 3, 7);
-    *reinterpret_cast<Quad*>(bodies + k_body_stride * which[2]) = __builtin_shufflevector(cd_even, cd_odd, 0, 4, 2, 6);
-    *reinterpret_cast<Quad*>(bodies + k_body_stride * which[3]) = __builtin_shufflevector(cd_even, cd_odd, 1, 5, 3, 7);
+    store_one(bodies + k_body_stride * which[0], __builtin_shufflevector(ab_even, ab_odd, 0, 4, 2, 6));
+    store_one(bodies + k_body_stride * which[1], __builtin_shufflevector(ab_even, ab_odd, 1, 5, 3, 7));
+    store_one(bodies + k_body_stride * which[2], __builtin_shufflevector(cd_even, cd_odd, 0, 4, 2, 6));
+    store_one(bodies + k_body_stride * which[3], __builtin_shufflevector(cd_even, cd_odd, 1, 5, 3, 7));
 }
 
 inline void store(double* bodies, const std::int32_t* which, const Bodies& eight) {
