@@ -5,6 +5,8 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 
 namespace polargrain {
 
@@ -14,8 +16,21 @@ struct Parallel::Team {
     tbb::task_arena arena;
 };
 
+/// One for all that want as many threads: threads that change between teams would fall asleep and be woken each time.
+std::shared_ptr<Parallel::Team> Parallel::team_of(int threads) {
+    static std::mutex access;
+    static std::map<int, std::weak_ptr<Team>> teams;
+    const std::lock_guard lock(access);
+    std::shared_ptr<Team> team = teams[threads].lock();
+    if (!team) {
+        team = std::make_shared<Team>(threads);
+        teams[threads] = team;
+    }
+    return team;
+}
+
 Parallel::Parallel(int threads) : threads_(threads) {
-    if (threads > 1) team_ = std::make_unique<Team>(threads);
+    if (threads > 1) team_ = team_of(threads);
 }
 
 Parallel::~Parallel() = default;

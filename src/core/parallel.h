@@ -36,8 +36,10 @@ public:
 
 private:
     struct Team;
+    static std::shared_ptr<Team> team_of(int threads);
+
     int threads_;
-    std::unique_ptr<Team> team_;  ///< none for one thread
+    std::shared_ptr<Team> team_;  ///< none for one thread
 };
 
 }  // namespace polargrain

@@ -320,11 +320,12 @@ void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     handed_over_ = false;
     last_points_.swap(found_.points);
     shares_.resize(std::max(shares_.size(), 2 * runs));
-    parallel_.each(2 * runs, [&](std::size_t s) {
-        Share& share = shares_[s];
+    parallel_.each(2 * runs, [&](std::size_t n) {
+        const std::size_t part = n / 2;
+        const bool of_pairs = n % 2 == 0;
+        Share& share = shares_[of_pairs ? part : runs + part];
         share.found.clear();
-        const std::size_t part = s % runs;
-        if (s < runs) {
+        if (of_pairs) {
             const std::size_t first = pairs.size() * part / runs;
             detect_pairs(share, pairs.subspan(first, pairs.size() * (part + 1) / runs - first), now);
         } else {
