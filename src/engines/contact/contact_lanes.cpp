@@ -9,7 +9,7 @@ namespace polargrain {
 namespace {
 
 /// Blocks that a thread takes at a time, where their order does not matter.
-constexpr std::size_t k_blocks_a_run = 128;
+constexpr std::size_t k_blocks_a_run = 512;
 
 /// Of a group; a grain with more contacts in it gets blocks of their own for the rest.
 constexpr std::int32_t k_colours = 64;
