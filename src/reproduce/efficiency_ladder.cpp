@@ -40,9 +40,10 @@ RungResult rung_result(const Rung& rung, const ConvergedValue& converged) {
 
 std::optional<RungResult> cheapest_right(const std::vector<RungResult>& ladder, double tolerance) {
     std::optional<RungResult> cheapest;
-    for (auto rung = ladder.rbegin(); rung != ladder.rend(); ++rung) {
-        if (!(rung->error <= tolerance)) break;
-        if (!cheapest || rung->cost < cheapest->cost) cheapest = *rung;
+    for (std::size_t k = ladder.size(); k-- > 0;) {
+        const RungResult& rung = ladder[k];
+        if (!(rung.error <= tolerance)) break;
+        if (!cheapest || rung.cost < cheapest->cost) cheapest = rung;
     }
     return cheapest;
 }
