@@ -22,22 +22,7 @@ Motion motion_of(const SolverBody& body) { return {body.velocity, body.spin}; }
 void GapImpacts::begin(const StepInHand& step) {
     now_ = step;
     impact_speed_ = k_impact * std::sqrt(scene_.gravity.squaredNorm()) * step.dt;
-    index_by_grain(*step.contacts);
-}
-
-void GapImpacts::index_by_grain(const std::vector<GapContact>& contacts) {
-    first_of_grain_.assign(static_cast<std::size_t>(scene_.grains.size()) + 1, 0);
-    for (const GapContact& c : contacts) {
-        ++first_of_grain_[at(c.i) + 1];
-        if (!is_wall(c.j)) ++first_of_grain_[at(c.j) + 1];
-    }
-    for (std::size_t g = 0; g + 1 < first_of_grain_.size(); ++g) first_of_grain_[g + 1] += first_of_grain_[g];
-    fill_.assign(first_of_grain_.begin(), first_of_grain_.end() - 1);
-    of_grain_.resize(static_cast<std::size_t>(first_of_grain_.back()));
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        of_grain_[at(fill_[at(contacts[k].i)]++)] = static_cast<std::int32_t>(k);
-        if (!is_wall(contacts[k].j)) of_grain_[at(fill_[at(contacts[k].j)]++)] = static_cast<std::int32_t>(k);
-    }
+    by_grain_.index(*step.contacts, static_cast<std::size_t>(scene_.grains.size()));
 }
 
 void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) const {
@@ -89,7 +74,7 @@ void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
         ++uses_[at(next.contact)];
         for (const BodyIndex body : {c.i, c.j}) {
             if (is_wall(body)) continue;
-            for (const std::int32_t touched : contacts_of(body)) {
+            for (const std::int32_t touched : by_grain_.of(body)) {
                 ++stamp_[at(touched)];
                 if (uses_[at(touched)] >= k_most_impacts || !strikes(contacts[at(touched)], h, speed)) continue;
                 heap_.push_back({speed, touched, stamp_[at(touched)]});
@@ -99,17 +84,13 @@ void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
     }
 }
 
-std::span<const std::int32_t> GapImpacts::contacts_of(GrainIndex grain) const {
-    return {of_grain_.data() + first_of_grain_[at(grain)], of_grain_.data() + first_of_grain_[at(grain) + 1]};
-}
-
 /// Time until a grain reaches its resting gap from a wall at rest [s], no longer than the sub-step; 0 where others are
 /// near enough to take part.
 double GapImpacts::time_to_wall(const GapContact& c, double speed, double h) const {
     if (!is_wall(c.j) || c.wall_velocity != Vec2::Zero()) return 0.0;
     const double way = open(c);
     if (way <= 0.0) return 0.0;
-    for (const std::int32_t k : contacts_of(c.i)) {
+    for (const std::int32_t k : by_grain_.of(c.i)) {
         const GapContact& other = (*now_.contacts)[at(k)];
         if (&other != &c && other.active && open(other) < k_alone * speed * h) return 0.0;
     }
@@ -134,7 +115,7 @@ void GapImpacts::strike_in_flight(GapContact& c, double speed, double flight) {
     now_.trial->centre[at(c.i)] += way;
     now_.trial->angle[at(c.i)] += turn;
     body.velocity -= kick;
-    for (const std::int32_t k : contacts_of(c.i)) {
+    for (const std::int32_t k : by_grain_.of(c.i)) {
         const GapContact& touched = (*now_.contacts)[at(k)];
         const bool is_i = touched.i == c.i;
         const double opened = touched.normal.dot(way) + (is_i ? touched.arm_ni : touched.arm_nj) * turn;
@@ -177,7 +158,7 @@ void GapImpacts::strike(GapContact& c, double speed) {
 
 void GapImpacts::add_stances(GrainIndex grain, double speed, std::vector<Stance>& stances) const {
     if (scene_.gravity == Vec2::Zero()) return;  // nothing makes it stand anywhere
-    for (const std::int32_t k : contacts_of(grain)) {
+    for (const std::int32_t k : by_grain_.of(grain)) {
         GapContact& c = (*now_.contacts)[at(k)];
         if (!is_wall(c.j) || !c.active || open(c) > (k_foot_gap - 1.0) * c.resting) continue;
         const double normal = normal_speed(c, *now_.bodies);

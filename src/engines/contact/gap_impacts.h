@@ -1,8 +1,8 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "src/engines/contact/by_grain.h"
 #include "src/engines/contact/contact_lanes.h"
 #include "src/engines/contact/footing.h"
 #include "src/engines/contact/halfway.h"
@@ -67,8 +67,6 @@ private:
     };
     struct Blow;
 
-    void index_by_grain(const std::vector<GapContact>& contacts);
-    std::span<const std::int32_t> contacts_of(GrainIndex grain) const;
     double open(const GapContact& c) const;
     bool strikes(const GapContact& c, double h, double& speed) const;
     double time_to_wall(const GapContact& c, double speed, double h) const;
@@ -83,7 +81,7 @@ private:
     const Scene& scene_;
     StepInHand now_;
     double impact_speed_ = 0.0;
-    std::vector<std::int32_t> first_of_grain_, fill_, of_grain_;
+    ByGrain by_grain_;  ///< contacts
     std::vector<Stance> stances_i_, stances_j_;
     std::vector<Strike> heap_;
     std::vector<std::int32_t> stamp_, uses_;

@@ -86,6 +86,21 @@ inline void store(double* bodies, const std::int32_t* which, const Bodies& eight
                __builtin_shufflevector(eight.inverse_mass, eight.inverse_mass, 4, 5, 6, 7));
 }
 
+/// Both bodies of eight contacts, and the velocity of i relative to j: of the centres, and along n with the arms'.
+struct Encounter {
+    Bodies i, j;
+    Wide ux, uy, u_n;
+};
+
+inline void meet(const LaneBlock& block, const double* bodies, Encounter& e) {
+    load(bodies, block.i, e.i);
+    load(bodies, block.j, e.j);
+    e.ux = e.i.vx - e.j.vx;
+    e.uy = e.i.vy - e.j.vy;
+    e.u_n = wide(block.normal_x) * e.ux + wide(block.normal_y) * e.uy + wide(block.arm_ni) * e.i.spin -
+            wide(block.arm_nj) * e.j.spin;
+}
+
 inline bool any(const Mask& mask) {
     return ((mask[0] | mask[1]) | (mask[2] | mask[3]) | ((mask[4] | mask[5]) | (mask[6] | mask[7]))) != 0;
 }
@@ -100,19 +115,15 @@ inline void magnitude(Wide& x) { x = x < 0.0 ? -x : x; }
 
 /// The lasting contacts' law for eight contacts; see GapSolver. Returns whether an impulse has changed much.
 inline bool sweep_block(LaneBlock& block, double* bodies, double per_h, double settled) {
-    Bodies i;
-    Bodies j;
-    load(bodies, block.i, i);
-    load(bodies, block.j, j);
+    Encounter e;
+    meet(block, bodies, e);
+    auto& [i, j, ux, uy, u_n] = e;
     const Wide nx = wide(block.normal_x);
     const Wide ny = wide(block.normal_y);
     const Wide masses = i.inverse_mass + j.inverse_mass;
-    Wide ux = i.vx - j.vx;
-    Wide uy = i.vy - j.vy;
 
     const Wide open = wide(block.open);
     const Wide target = open > 0.0 ? -open * per_h : Wide{};
-    const Wide u_n = nx * ux + ny * uy + wide(block.arm_ni) * i.spin - wide(block.arm_nj) * j.spin;
     const Wide old_n = wide(block.normal_impulse);
     Wide normal = old_n - wide(block.mass_n) * (u_n - target);
     normal = normal > 0.0 ? normal : Wide{};
@@ -169,15 +180,11 @@ inline LaneLosses move(LaneBlock* blocks, TravelBlock* travels, std::ptrdiff_t f
     for (std::ptrdiff_t b = first; b < last; ++b) {
         LaneBlock& block = blocks[b];
         TravelBlock& travels_on = travels[b];
-        Bodies i;
-        Bodies j;
-        load(bodies, block.i, i);
-        load(bodies, block.j, j);
+        Encounter e;
+        meet(block, bodies, e);
+        const auto& [i, j, ux, uy, u_n] = e;
         const Wide nx = wide(block.normal_x);
         const Wide ny = wide(block.normal_y);
-        const Wide ux = i.vx - j.vx;
-        const Wide uy = i.vy - j.vy;
-        const Wide u_n = nx * ux + ny * uy + wide(block.arm_ni) * i.spin - wide(block.arm_nj) * j.spin;
         const Wide u_t = ny * ux - nx * uy + wide(block.arm_ti) * i.spin - wide(block.arm_tj) * j.spin;
         const Wide normal = wide(block.normal_impulse);
         const Wide tangent = wide(block.tangent_impulse);

@@ -28,27 +28,10 @@ int Repair::run(GapDetection& detection, const std::vector<SolverBody>& bodies, 
     return left;
 }
 
-void Repair::index_by_grain(const std::vector<PairContacts>& pairs) {
-    first_of_grain_.assign(way_.size() + 1, 0);
-    const auto each_grain = [&](auto visit) {
-        for (std::size_t p = 0; p < pairs.size(); ++p) {
-            visit(Grains::at(pairs[p].i), p);
-            if (!is_wall(pairs[p].j)) visit(Grains::at(pairs[p].j), p);
-        }
-    };
-    each_grain([&](std::size_t grain, std::size_t) { ++first_of_grain_[grain + 1]; });
-    for (std::size_t k = 0; k < way_.size(); ++k) first_of_grain_[k + 1] += first_of_grain_[k];
-    fill_.assign(first_of_grain_.begin(), first_of_grain_.end() - 1);
-    of_grain_.resize(static_cast<std::size_t>(first_of_grain_.back()));
-    each_grain([&](std::size_t grain, std::size_t p) {
-        of_grain_[static_cast<std::size_t>(fill_[grain]++)] = static_cast<std::int32_t>(p);
-    });
-}
-
 /// The overlapping grains, and as many rings of neighbours that all but touch.
 void Repair::choose_grains(const GapDetection& detection, int rings) {
     const std::vector<PairContacts>& pairs = detection.pairs();
-    index_by_grain(pairs);
+    by_grain_.index(pairs, way_.size());
     chosen_.assign(way_.size(), 0);
     edge_.clear();
     const auto choose = [&](BodyIndex body, std::vector<GrainIndex>& list) {
@@ -64,8 +47,8 @@ void Repair::choose_grains(const GapDetection& detection, int rings) {
     for (int ring = 0; ring < rings; ++ring) {
         next_edge_.clear();
         for (const GrainIndex grain : edge_) {
-            for (auto n = first_of_grain_[Grains::at(grain)]; n < first_of_grain_[Grains::at(grain) + 1]; ++n) {
-                const PairContacts& pair = pairs[static_cast<std::size_t>(of_grain_[static_cast<std::size_t>(n)])];
+            for (const std::int32_t n : by_grain_.of(grain)) {
+                const PairContacts& pair = pairs[static_cast<std::size_t>(n)];
                 const bool near = std::any_of(detection.begin_of(pair), detection.end_of(pair),
                                               [](const GapContact& c) { return c.gap < k_ring * c.resting; });
                 if (!near || is_wall(pair.j)) continue;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "src/engines/contact/by_grain.h"
 #include "src/engines/contact/gap_detection.h"
 
 namespace polargrain {
@@ -24,7 +25,6 @@ public:
     int run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial);
 
 private:
-    void index_by_grain(const std::vector<PairContacts>& pairs);
     void choose_grains(const GapDetection& detection, int rings);
     void solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
     void collect_rows(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
@@ -39,8 +39,8 @@ private:
         double aim, arm_ni, arm_nj, mass, push;
     };
     std::vector<char> chosen_;
-    std::vector<GrainIndex> edge_, next_edge_;                    ///< grains chosen last
-    std::vector<std::int32_t> first_of_grain_, fill_, of_grain_;  ///< pairs of a grain
+    std::vector<GrainIndex> edge_, next_edge_;  ///< grains chosen last
+    ByGrain by_grain_;                          ///< pairs
     std::vector<Row> rows_;
     std::vector<Vec2> way_;
     std::vector<double> turn_;
