@@ -48,7 +48,7 @@ TEST(SoftPour, PacksFiveHundredDisksAsSoftSpheresDo) {
                    fraction, low, high, sim.ledger.created / sim.start_energy);
         EXPECT_GT(fraction, low);
         EXPECT_LT(fraction, high);
-        EXPECT_LT(std::abs(sim.ledger.created), 5e-3 * sim.start_energy);
+        EXPECT_LT(std::abs(sim.ledger.created), 1e-6 * sim.start_energy);
     }
 }
 

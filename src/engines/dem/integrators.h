@@ -102,6 +102,7 @@ struct VelocityVerlet {
         equations.accelerations(s.time, s.x, s.v, s.a);
         equations.accept(s.time, s.x);
         for (std::size_t k = 0; k < n; ++k) s.v[k] = half_[k] + 0.5 * h * s.a[k];
+        if constexpr (requires { equations.balance_work(h, half_, s.v); }) equations.balance_work(h, half_, s.v);
     }
 
 private:

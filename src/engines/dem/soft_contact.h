@@ -26,6 +26,16 @@ struct SoftContact {
     double spent = 0.0;           ///< energy lost to hysteresis since birth [J/m]
     Vec2 impulse = Vec2::Zero();  ///< on b since the beginning of the engine's step [N s/m]
 
+    void take_memory(const SoftContact& old) {
+        damping = old.damping;
+        stretch = old.stretch;
+        turning = old.turning;
+        pressed = old.pressed;
+        largest = old.largest;
+        spent = old.spent;
+        impulse = old.impulse;
+    }
+
     Vec2 force() const { return normal_force * normal + sliding_force * left_normal(normal); }
 };
 

@@ -143,10 +143,19 @@ double flat_width(const PolarPolygon& polygon) {
     return widest;
 }
 
-double damping_of(const PairSoftLaw& pair, double restitution, double mass, bool by_depth) {
+double DampingRatio::of(double restitution, bool tension) {
+    const double e = std::max(restitution, k_least_restitution);
+    if (e == restitution_ && tension == tension_) return ratio_;
+    restitution_ = e;
+    tension_ = tension;
+    ratio_ = tension ? damping_ratio_with_tension(e) : damping_ratio_without_tension(e);
+    return ratio_;
+}
+
+double damping_of(const PairSoftLaw& pair, double restitution, double mass, bool by_depth, DampingRatio& ratio) {
     const double e = std::max(restitution, k_least_restitution);
     if (by_depth && pair.law.normal == NormalLaw::walton_braun) return pair.stiffness / (e * e);
-    const double gamma = pair.law.tension ? damping_ratio_with_tension(e) : damping_ratio_without_tension(e);
+    const double gamma = ratio.of(restitution, pair.law.tension);
     if (!by_depth) return gamma;
     const double b = pair.exponent;
     return damping_constant(gamma, mass, pair.stiffness, b, pair.law.damping_exponent.value_or(0.5 * b),

@@ -50,10 +50,22 @@ private:
 /// fiftieth of its inner radius.
 double flat_width(const PolarPolygon& polygon);
 
+/// Ratio of critical damping that a restitution needs, see normal_law.h; below 0.01 it counts as 0.01. Remembers the
+/// last: mostly they are all the same, and each takes a bisection.
+class DampingRatio {
+public:
+    double of(double restitution, bool tension);
+
+private:
+    double restitution_ = -1.0;
+    bool tension_ = false;
+    double ratio_ = 0.0;
+};
+
 /// What a law keeps of the restitution e of a new contact of the given reduced mass: for touches by depth the dashpot
 /// constant [N s/m^2] of the linear law, D of dashpot = D overlap^g of the Hertz and power laws, the stiffness of
 /// unloading of Walton and Braun's [N/m^2]; for others the ratio of critical damping.
-double damping_of(const PairSoftLaw& law, double restitution, double mass, bool by_depth);
+double damping_of(const PairSoftLaw& law, double restitution, double mass, bool by_depth, DampingRatio& ratio);
 
 /// Fills in the forces of a contact whose place and memory stand: `closing` and `sliding` are the velocities of b
 /// relative to a against the normal and along the tangent [m/s], `way` the sliding since the memory was made [m].

@@ -4,30 +4,29 @@
 
 namespace polargrain {
 
+namespace {
+
+/// The impulse [N s/m] of a wall on a grain at a point [m].
+void account_wall(int wall, const Motion& motion, const Vec2& point, const Vec2& impulse, StepReport& report) {
+    WallImpulse& sum = report.walls[static_cast<std::size_t>(wall)];
+    sum.linear -= impulse;
+    sum.angular -= cross(point, impulse);
+    report.ledger.wall_work += impulse.dot(motion.velocity + cross(motion.spin, point));
+}
+
+}  // namespace
+
 void account_rates(SoftSystem& system, std::span<const double> x, std::span<const double> v, double weight,
                    StepReport& report) {
-    const auto velocity = [&](BodyIndex grain, const Vec2& point) {
-        const std::size_t k = 3 * Grains::at(grain);
-        return Vec2(Vec2(v[k], v[k + 1]) + cross(v[k + 2], Vec2(point - Vec2(x[k], x[k + 1]))));
-    };
     for (SoftContact& c : system.contacts()) {
-        Vec2 of_a = Vec2::Zero();
-        if (is_wall(c.a)) {
-            const Motion& wall = system.wall_motion(c.a);
-            of_a = wall.velocity + cross(wall.spin, c.point);
-        } else {
-            of_a = velocity(c.a, c.point);
-        }
-        const Vec2 relative = velocity(c.b, c.point) - of_a;
+        const Motion motion = system.wall_motion(c.a);
+        const Vec2 relative = system.relative_velocity(c, motion, x, v);
         report.ledger.restitution_loss -= weight * (c.normal_force - c.elastic_normal) * relative.dot(c.normal);
         report.ledger.friction_loss -= weight * c.sliding_force * relative.dot(left_normal(c.normal));
         const Vec2 impulse = weight * c.force();
         c.impulse += impulse;
         if (!is_wall(c.a)) continue;
-        WallImpulse& wall = report.walls[static_cast<std::size_t>(wall_index(c.a))];
-        wall.linear -= impulse;
-        wall.angular -= cross(c.point, impulse);
-        report.ledger.wall_work += impulse.dot(of_a);
+        account_wall(wall_index(c.a), motion, c.point, impulse, report);
     }
 }
 
@@ -39,6 +38,11 @@ void account_losses(const SoftSystem& system, StepReport& report) {
     const SoftSystem::Turnover& turnover = system.turnover();
     report.ledger.restitution_loss += turnover.dropped;
     report.impacts += turnover.born;
+    const SoftSystem::Balance& balance = system.balance();
+    report.ledger.restitution_loss -= balance.spared;
+    for (const auto& [wall, point, impulse] : balance.on_walls) {
+        account_wall(wall, system.wall_motion(wall_body(wall)), point, impulse, report);
+    }
 }
 
 StoredEnergy stored_energy(const SoftSystem& system) {

@@ -12,24 +12,14 @@ namespace {
 /// Below that many candidates a thread costs more than it brings.
 constexpr std::size_t k_pairs_worth_a_thread = 300;
 
-Vec2 place(std::span<const double> x, BodyIndex grain) {
-    const std::size_t k = 3 * Grains::at(grain);
-    return {x[k], x[k + 1]};
-}
-
-/// Velocity of the point at the arm from a grain's centre.
-Vec2 velocity_at(std::span<const double> v, BodyIndex grain, const Vec2& arm) {
-    const std::size_t k = 3 * Grains::at(grain);
-    return Vec2(v[k], v[k + 1]) + cross(v[k + 2], arm);
-}
-
 bool before(const SoftContact& c, BodyIndex a, BodyIndex b) { return c.a != a ? c.a < a : c.b < b; }
 
 }  // namespace
 
 SoftSystem::SoftSystem(const Scene& scene, const DemSettings& settings)
     : scene_(scene), laws_(scene, settings), walls_(scene), candidates_(scene, settings) {
-    shares_.assign(static_cast<std::size_t>(std::max(1, scene.threads)), Share{TouchFinder(settings), {}, {}, 0, 0});
+    shares_.assign(static_cast<std::size_t>(std::max(1, scene.threads)),
+                   Share{TouchFinder(settings), {}, {}, {}, {}, 0, 0});
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         const Shape& shape = scene.shape_of(k);
         const bool disk = std::holds_alternative<Disk>(shape);
@@ -83,10 +73,13 @@ void SoftSystem::find_contacts(std::span<const double> x, std::span<const double
 void SoftSystem::accept(double time, std::span<const double> x) {
     contacts_.swap(next_);
     turnover_ = next_turnover_;
-    set_accepted(time, x);
+    accepted_time_ = time;
+    previous_x_.swap(accepted_x_);
+    accepted_x_.assign(x.begin(), x.end());
 }
 
 void SoftSystem::set_accepted(double time, std::span<const double> x) {
+    walls_.place(time);
     accepted_time_ = time;
     accepted_x_.assign(x.begin(), x.end());
 }
@@ -105,31 +98,41 @@ void SoftSystem::place_polygons(std::span<const double> x) {
 
 void SoftSystem::meet_walls(Share& share, std::span<const double> x, std::span<const double> v) {
     const std::vector<SoftPiece>& pieces = walls_.pieces();
-    for (const auto& [p, grain] : candidates_.at_walls()) {
-        const auto piece = static_cast<std::size_t>(p);
-        if (!walls_.present(pieces[piece])) continue;
-        const BodyIndex wall = wall_body(pieces[piece].wall);
-        const Body& body = bodies_[Grains::at(grain)];
-        const Vec2 centre = place(x, grain);
+    const std::vector<WallCandidate>& near = candidates_.at_walls();
+    share.touches.clear();
+    for (std::size_t k = 0; k < near.size(); ++k) {
+        const SoftPiece& piece = pieces[static_cast<std::size_t>(near[k].piece)];
+        const GrainIndex grain = near[k].grain;
+        if (walls_.present(piece)) touch_piece(share, static_cast<std::size_t>(near[k].piece), grain, x);
+        // Pieces of one wall that a grain touches are one pair.
+        const bool goes_on = k + 1 < near.size() && near[k + 1].grain == grain &&
+                             pieces[static_cast<std::size_t>(near[k + 1].piece)].wall == piece.wall;
+        if (goes_on) continue;
+        add_contacts(share, wall_body(piece.wall), grain, x, v);
         share.touches.clear();
-        if (body.disk) {
-            const ChainTouch touch = touch_chain(pieces, piece, centre);
-            const Vec2 way = centre - touch.nearest;
-            const double squared = way.squaredNorm();
-            if (!touch.touches || squared >= body.radius * body.radius || !(squared > 0.0)) continue;
-            const double distance = std::sqrt(squared);
-            share.touches.push_back({touch.nearest, way / distance, body.radius - distance, true, 0.0, 0.0});
-        } else {
-            const auto& polygon = std::get<PolarPolygon>(scene_.shape_of(grain));
-            share.geometry.find(pieces[piece], polygon, poses_[Grains::at(grain)], law_of(wall, grain).linear_stiffness,
-                                share.touches);
-        }
-        for (const Touch& touch : share.touches) add_contact(share, wall, grain, touch, x, v);
     }
+}
+
+void SoftSystem::touch_piece(Share& share, std::size_t piece, GrainIndex grain, std::span<const double> x) const {
+    const std::vector<SoftPiece>& pieces = walls_.pieces();
+    const Body& body = bodies_[Grains::at(grain)];
+    if (!body.disk) {
+        const auto& polygon = std::get<PolarPolygon>(scene_.shape_of(grain));
+        const double stiffness = law_of(wall_body(pieces[piece].wall), grain).linear_stiffness;
+        share.geometry.find(pieces[piece], polygon, poses_[Grains::at(grain)], stiffness, share.touches);
+        return;
+    }
+    const ChainTouch touch = touch_chain(pieces, piece, place(x, grain));
+    const Vec2 way = place(x, grain) - touch.nearest;
+    const double squared = way.squaredNorm();
+    if (!touch.touches || squared >= body.radius * body.radius || !(squared > 0.0)) return;
+    const double distance = std::sqrt(squared);
+    share.touches.push_back({touch.nearest, way / distance, body.radius - distance, true, 0.0, 0.0});
 }
 
 void SoftSystem::meet_grains(Share& share, std::span<const GrainPair> pairs, std::span<const double> x,
                              std::span<const double> v) {
+    share.touches.clear();
     for (const auto& [a, b] : pairs) {
         const std::size_t i = Grains::at(a);
         const std::size_t j = Grains::at(b);
@@ -143,13 +146,13 @@ void SoftSystem::meet_grains(Share& share, std::span<const GrainPair> pairs, std
             const Vec2 normal(dx / distance, dy / distance);
             const double depth = reach - distance;
             const Vec2 point = place(x, a) + (bodies_[i].radius - 0.5 * depth) * normal;
-            add_contact(share, a, b, {point, normal, depth, true, 0.0, 0.0}, x, v);
-            continue;
+            share.touches.push_back({point, normal, depth, true, 0.0, 0.0});
+        } else {
+            share.geometry.find(scene_.shape_of(a), poses_[i], scene_.shape_of(b), poses_[j],
+                                law_of(a, b).linear_stiffness, share.touches);
         }
+        add_contacts(share, a, b, x, v);
         share.touches.clear();
-        share.geometry.find(scene_.shape_of(a), poses_[i], scene_.shape_of(b), poses_[j], law_of(a, b).linear_stiffness,
-                            share.touches);
-        for (const Touch& touch : share.touches) add_contact(share, a, b, touch, x, v);
     }
 }
 
@@ -169,8 +172,17 @@ double SoftSystem::effective_mass(const SoftContact& contact, const Vec2& arm_a,
     return 1.0 / (share(contact.b, arm_b) + (is_wall(contact.a) ? 0.0 : share(contact.a, arm_a)));
 }
 
-void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch& touch, std::span<const double> x,
-                             std::span<const double> v) {
+void SoftSystem::add_contacts(Share& share, BodyIndex a, BodyIndex b, std::span<const double> x,
+                              std::span<const double> v) {
+    if (share.touches.empty()) return;
+    recall(share, a, b);
+    for (std::size_t k = 0; k < share.touches.size(); ++k) {
+        add_contact(share, a, b, share.touches[k], share.memory[k], x, v);
+    }
+}
+
+void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch& touch, const SoftContact* old,
+                             std::span<const double> x, std::span<const double> v) {
     SoftContact& contact = share.found.emplace_back();
     contact.a = a;
     contact.b = b;
@@ -184,7 +196,7 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
     Vec2 way = Vec2(x[j] - accepted_x_[j], x[j + 1] - accepted_x_[j + 1]) + cross(x[j + 2] - accepted_x_[j + 2], arm_b);
     Vec2 arm_a = Vec2::Zero();
     if (is_wall(a)) {
-        const Motion& wall = walls_.motion(wall_index(a));
+        const Motion& wall = walls_.motion(a);
         const Vec2 wall_velocity = wall.velocity + cross(wall.spin, touch.point);
         relative -= wall_velocity;
         way -= (time_ - accepted_time_) * wall_velocity;
@@ -195,41 +207,51 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
         way -= Vec2(x[i] - accepted_x_[i], x[i + 1] - accepted_x_[i + 1]) + cross(x[i + 2] - accepted_x_[i + 2], arm_a);
     }
     const PairSoftLaw& law = law_of(a, b);
-    const double mass = effective_mass(contact, arm_a, arm_b);
+    // Springs by depth ask for it once only.
+    const double mass = old == nullptr || !touch.by_depth ? effective_mass(contact, arm_a, arm_b) : 0.0;
     double sliding_way = way.dot(tangent);
-    if (!recall(share, contact)) {
+    if (old != nullptr) {
+        contact.take_memory(*old);
+    } else {
         // The sliding before it was born is not the spring's business.
         sliding_way = 0.0;
-        contact.damping = damping_of(law, drawn_restitution(scene_, step_, a, b), mass, touch.by_depth);
+        contact.damping = damping_of(law, drawn_restitution(scene_, step_, a, b), mass, touch.by_depth, share.ratio);
         ++share.born;
     }
     respond(law, touch, mass, -relative.dot(touch.normal), relative.dot(tangent), sliding_way, contact);
 }
 
-/// Takes over the memory of the old contact of the same bodies that is nearest, if there is one.
-bool SoftSystem::recall(Share& share, SoftContact& contact) {
-    std::size_t& cursor = share.cursor;
-    while (cursor < contacts_.size() && before(contacts_[cursor], contact.a, contact.b)) ++cursor;
-    std::size_t nearest = contacts_.size();
-    double least = 0.0;
-    for (std::size_t k = cursor; k < contacts_.size() && !before(contact, contacts_[k].a, contacts_[k].b); ++k) {
-        if (recalled_[k] != 0) continue;
-        const double distance = (contacts_[k].point - contact.point).squaredNorm();
-        if (nearest != contacts_.size() && distance >= least) continue;
-        nearest = k;
-        least = distance;
+/// Which old contact of a pair goes on in which of its touches: those that are nearest to one another first, so that a
+/// grain which rolls up against a second face of a wall leaves the memory of the first where it is.
+void SoftSystem::recall(Share& share, BodyIndex a, BodyIndex b) {
+    std::size_t& first = share.cursor;
+    while (first < contacts_.size() && before(contacts_[first], a, b)) ++first;
+    std::size_t end = first;
+    while (end < contacts_.size() && contacts_[end].a == a && contacts_[end].b == b) ++end;
+    share.memory.resize(share.touches.size());
+    if (end - first == 1 && share.touches.size() == 1) {
+        recalled_[first] = 1;
+        share.memory[0] = &contacts_[first];
+        return;
     }
-    if (nearest == contacts_.size()) return false;
-    recalled_[nearest] = 1;
-    const SoftContact& old = contacts_[nearest];
-    contact.damping = old.damping;
-    contact.stretch = old.stretch;
-    contact.turning = old.turning;
-    contact.pressed = old.pressed;
-    contact.largest = old.largest;
-    contact.spent = old.spent;
-    contact.impulse = old.impulse;
-    return true;
+    share.memory.assign(share.touches.size(), nullptr);
+    for (std::size_t left = std::min(end - first, share.touches.size()); left > 0; --left) {
+        std::size_t old = end;
+        std::size_t now = 0;
+        double least = 0.0;
+        for (std::size_t k = first; k < end; ++k) {
+            for (std::size_t t = 0; t < share.touches.size() && recalled_[k] == 0; ++t) {
+                if (share.memory[t] != nullptr) continue;
+                const double distance = (contacts_[k].point - share.touches[t].point).squaredNorm();
+                if (old != end && distance >= least) continue;
+                old = k;
+                now = t;
+                least = distance;
+            }
+        }
+        recalled_[old] = 1;
+        share.memory[now] = &contacts_[old];
+    }
 }
 
 void SoftSystem::drop(const SoftContact& contact) {

@@ -36,9 +36,39 @@ public:
     /// which those that slip count as frictionless.
     void solve_implicit(double factor, std::span<const double> residual, std::span<double> dx) const;
 
+    /// After `accept`, for a step of kick, drift and kick of the length h [s]: adds impulses along the normals of
+    /// contacts to v such that the springs have done as much work as they gave up energy. `half`: velocities of the
+    /// drift.
+    void balance_work(double h, std::span<const double> half, std::span<double> v);
+
     const std::vector<SoftContact>& contacts() const { return contacts_; }
     std::vector<SoftContact>& contacts() { return contacts_; }
-    const Motion& wall_motion(BodyIndex wall) const { return walls_.motion(wall_index(wall)); }
+    /// Of the body's material where it is a wall, at the world's origin; none for a grain.
+    Motion wall_motion(BodyIndex body) const { return is_wall(body) ? walls_.motion(body) : Motion{}; }
+    /// Of b's material against a's at a contact [m/s]; `wall`: how a moves if it is a wall.
+    static Vec2 relative_velocity(const SoftContact& c, const Motion& wall, std::span<const double> x,
+                                  std::span<const double> v) {
+        const Vec2 of_b = velocity_at(v, c.b, c.point - place(x, c.b));
+        if (is_wall(c.a)) return of_b - (wall.velocity + cross(wall.spin, c.point));
+        return of_b - velocity_at(v, c.a, c.point - place(x, c.a));
+    }
+
+    /// What `balance_work` did last; empty under a scheme that does not call it.
+    struct Balance {
+        struct OnWall {
+            int wall = 0;
+            Vec2 point = Vec2::Zero();    ///< [m]
+            Vec2 impulse = Vec2::Zero();  ///< on the grain [N s/m]
+        };
+        struct Change {
+            BodyIndex grain = 0;
+            Motion of;
+        };
+        std::vector<Change> changes;  ///< of velocities
+        std::vector<OnWall> on_walls;
+        double spared = 0.0;  ///< what dashpots of contacts that ended would have taken beyond their end [J/m]
+    };
+    const Balance& balance() const { return balance_; }
 
     /// What the last accepted evaluation ended and began.
     struct Turnover {
@@ -62,7 +92,9 @@ private:
     /// What one thread finds in its share of the candidates, and its tools.
     struct Share {
         TouchFinder geometry;
-        std::vector<Touch> touches;
+        DampingRatio ratio;
+        std::vector<Touch> touches;              ///< of the pair at hand
+        std::vector<const SoftContact*> memory;  ///< the old contact that each goes on from, if any
         std::vector<SoftContact> found;
         std::size_t cursor = 0;  ///< first old contact that has not been passed
         std::int64_t born = 0;
@@ -72,10 +104,31 @@ private:
     void meet_walls(Share& share, std::span<const double> x, std::span<const double> v);
     void meet_grains(Share& share, std::span<const GrainPair> pairs, std::span<const double> x,
                      std::span<const double> v);
-    void add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch& touch, std::span<const double> x,
-                     std::span<const double> v);
-    bool recall(Share& share, SoftContact& contact);
+    void touch_piece(Share& share, std::size_t piece, GrainIndex grain, std::span<const double> x) const;
+    /// Contacts of a pair at all its touches.
+    void add_contacts(Share& share, BodyIndex a, BodyIndex b, std::span<const double> x, std::span<const double> v);
+    void add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch& touch, const SoftContact* old,
+                     std::span<const double> x, std::span<const double> v);
+    void recall(Share& share, BodyIndex a, BodyIndex b);
     void drop(const SoftContact& contact);
+    void go_on_with_pair(std::span<const SoftContact> was, std::span<SoftContact> is, double h,
+                         std::span<const double> half, std::span<double> v);
+    double parting_rate(const SoftContact& c, const Motion& wall, std::span<const double> x,
+                        std::span<const double> v) const;
+    void end_pair(std::span<const SoftContact> was, double h, std::span<const double> half, std::span<double> v);
+    /// The impulse on b that adds the energy [J/m], but at most `most` [N s/m].
+    Vec2 balance(const SoftContact& c, std::span<const double> x, double energy, double most, std::span<double> v);
+    void push(BodyIndex grain, const Vec2& arm, const Vec2& impulse, std::span<double> v);
+    Motion motion_before(BodyIndex body) const { return is_wall(body) ? walls_.motion_before(body) : Motion{}; }
+    static Vec2 place(std::span<const double> x, BodyIndex grain) {
+        const std::size_t k = 3 * Grains::at(grain);
+        return {x[k], x[k + 1]};
+    }
+    /// Velocity of the point at the arm from a grain's centre.
+    static Vec2 velocity_at(std::span<const double> v, BodyIndex grain, const Vec2& arm) {
+        const std::size_t k = 3 * Grains::at(grain);
+        return Vec2(v[k], v[k + 1]) + cross(v[k + 2], arm);
+    }
     double effective_mass(const SoftContact& contact, const Vec2& arm_a, const Vec2& arm_b) const;
     const PairSoftLaw& law_of(BodyIndex a, BodyIndex b) const;
     void sum_forces(std::span<const double> x, std::span<double> a) const;
@@ -94,9 +147,10 @@ private:
     std::vector<SoftContact> contacts_, next_;
     std::vector<char> recalled_;  ///< old contacts that live on
     Turnover turnover_, next_turnover_;
+    Balance balance_;
     std::vector<double> evaluated_x_;  ///< of the evaluation at hand
     double accepted_time_ = 0.0;       ///< [s]
-    std::vector<double> accepted_x_;
+    std::vector<double> accepted_x_, previous_x_;
 };
 
 }  // namespace polargrain

@@ -23,6 +23,7 @@ SoftWalls::SoftWalls(const Scene& scene) : scene_(scene) {
     }
     present_.assign(scene.walls.size(), 0);
     motions_.assign(scene.walls.size(), Motion{});
+    before_ = motions_;
 }
 
 void SoftWalls::enter(int wall) {
@@ -51,6 +52,7 @@ void SoftWalls::place(double time) {
     for (std::size_t w = 0; w < scene_.walls.size(); ++w) present_[w] = scene_.walls[w].present(time) ? 1 : 0;
     if (placed_ && !any_moves_) return;
     placed_ = true;
+    before_ = motions_;
     std::vector<WallState> states;
     for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
         states.push_back(wall_state(scene_.walls[w], time));

@@ -29,8 +29,11 @@ public:
     /// In descending order of the wall, which is ascending order of its BodyIndex.
     const std::vector<SoftPiece>& pieces() const { return pieces_; }
     bool present(const SoftPiece& piece) const { return present_[static_cast<std::size_t>(piece.wall)] != 0; }
+    bool present(BodyIndex wall) const { return present_[static_cast<std::size_t>(wall_index(wall))] != 0; }
     /// Velocity of the wall's material at the world's origin and its spin.
-    const Motion& motion(int wall) const { return motions_[static_cast<std::size_t>(wall)]; }
+    const Motion& motion(BodyIndex wall) const { return motions_[static_cast<std::size_t>(wall_index(wall))]; }
+    /// The same at the time before the present one.
+    const Motion& motion_before(BodyIndex wall) const { return before_[static_cast<std::size_t>(wall_index(wall))]; }
     bool any_moves() const { return any_moves_; }
 
 private:
@@ -46,7 +49,7 @@ private:
     std::vector<Rest> rest_;
     std::vector<SoftPiece> pieces_;
     std::vector<char> present_;
-    std::vector<Motion> motions_;
+    std::vector<Motion> motions_, before_;
 };
 
 /// Where a circle touches a piece of a chain, if it does.
