@@ -102,7 +102,8 @@ struct VelocityVerlet {
         equations.accelerations(s.time, s.x, s.v, s.a);
         equations.accept(s.time, s.x);
         for (std::size_t k = 0; k < n; ++k) s.v[k] = half_[k] + 0.5 * h * s.a[k];
-        if constexpr (requires { equations.balance_work(h, half_, s.v); }) equations.balance_work(h, half_, s.v);
+        // Equations that know what work their forces should have done mend the second kick.
+        if constexpr (requires { equations.balance_work(h, s.v); }) equations.balance_work(h, s.v);
     }
 
 private:

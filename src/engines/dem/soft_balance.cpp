@@ -11,35 +11,9 @@ namespace {
 /// than 1e-7 of the energy of a pour; to mend them all would cost half as much again.
 constexpr double k_not_worth_it = 1e-5;
 
-/// What the normal springs of one pair did and should have done during a step [J/m].
-struct PairWork {
-    double done = 0.0;    ///< by forces, each the mean of its values at both ends
-    double given = 0.0;   ///< energy that springs gave up
-    double turned = 0.0;  ///< by all of them, without regard to sign
-    double most = 0.0;    ///< impulses of the forces [N s/m]
-
-    void add(double impulse, double rate) {
-        done += impulse * rate;
-        turned += std::abs(impulse * rate);
-        most += impulse;
-    }
-};
-
 bool same_pair(const SoftContact& c, const SoftContact& d) { return c.a == d.a && c.b == d.b; }
 
 bool before(const SoftContact& c, const SoftContact& d) { return c.a != d.a ? c.a < d.a : c.b < d.b; }
-
-/// End of the contacts of the pair that the contact at `first` is of.
-std::size_t end_of_pair(const std::vector<SoftContact>& contacts, std::size_t first) {
-    std::size_t end = first;
-    while (end < contacts.size() && same_pair(contacts[end], contacts[first])) ++end;
-    return end;
-}
-
-SoftContact& strongest(std::span<SoftContact> contacts) {
-    const auto weaker = [](const SoftContact& c, const SoftContact& d) { return c.elastic_normal < d.elastic_normal; };
-    return *std::max_element(contacts.begin(), contacts.end(), weaker);
-}
 
 /// Impulse [N s/m] that adds the energy [J/m] to a mass that separates at the speed [m/s]: the smaller of the two.
 double impulse_of(double energy, double mass, double speed) {
@@ -55,70 +29,74 @@ double impulse_of(double energy, double mass, double speed) {
 // with it: a contact that begins or ends inside the step works as if it had been there for all of it, a normal that
 // turns and a spring that is not linear. The second kick is mended for each pair, one after the other, so that the next
 // sees the velocities that the last has left.
-void SoftSystem::balance_work(double h, std::span<const double> half, std::span<double> v) {
-    const std::vector<SoftContact>& old = next_;
+void SoftSystem::balance_work(double h, std::span<double> v) {
     balance_.changes.clear();
     balance_.on_walls.clear();
     balance_.spared = 0.0;
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < old.size() || j < contacts_.size()) {
-        const bool ended = j == contacts_.size() || (i < old.size() && before(old[i], contacts_[j]));
-        const bool born = !ended && (i == old.size() || before(contacts_[j], old[i]));
-        const std::size_t old_end = born ? i : end_of_pair(old, i);
-        const std::size_t now_end = ended ? j : end_of_pair(contacts_, j);
-        const std::span<const SoftContact> was(old.data() + i, old_end - i);
-        const std::span<SoftContact> is(contacts_.data() + j, now_end - j);
-        i = old_end;
-        j = now_end;
-        if (ended) {
-            end_pair(was, h, half, v);
-        } else {
-            go_on_with_pair(was, is, h, half, v);
+    std::size_t e = 0;
+    for (std::size_t first = 0; first < contacts_.size();) {
+        for (; e < ended_.size() && before(next_[ended_[e]], contacts_[first]); ++e)
+            end_contact(next_[ended_[e]], h, v);
+        SoftContact* strongest = &contacts_[first];
+        double miss = 0.0;
+        double sum = 0.0;
+        std::size_t k = first;
+        for (; k < contacts_.size() && same_pair(contacts_[k], contacts_[first]); ++k) {
+            miss += contacts_[k].miss;
+            sum += contacts_[k].sum;
+            if (contacts_[k].elastic_normal > strongest->elastic_normal) strongest = &contacts_[k];
         }
+        // Two regions have become one, or one of them has gone.
+        for (; e < ended_.size() && same_pair(next_[ended_[e]], contacts_[first]); ++e) {
+            const SoftContact& old = next_[ended_[e]];
+            miss += old.stored_normal - 0.5 * old.elastic_normal * way_of(old, previous_x_, accepted_x_, h);
+            sum += old.elastic_normal;
+        }
+        if (miss != 0.0) strongest->impulse += balance(*strongest, accepted_x_, miss, 0.5 * h * sum, v);
+        first = k;
     }
-}
-
-/// How fast the bodies part along the normal [m/s]; disks do so whatever their spins are.
-double SoftSystem::parting_rate(const SoftContact& c, const Motion& wall, std::span<const double> x,
-                                std::span<const double> v) const {
-    if (any_polygon_ || is_wall(c.a)) return relative_velocity(c, wall, x, v).dot(c.normal);
-    const double* of_a = v.data() + 3 * Grains::at(c.a);
-    const double* of_b = v.data() + 3 * Grains::at(c.b);
-    return (of_b[0] - of_a[0]) * c.normal.x() + (of_b[1] - of_a[1]) * c.normal.y();
-}
-
-void SoftSystem::go_on_with_pair(std::span<const SoftContact> was, std::span<SoftContact> is, double h,
-                                 std::span<const double> half, std::span<double> v) {
-    PairWork work;
-    for (const SoftContact& c : was) {
-        const double rate = parting_rate(c, motion_before(c.a), previous_x_, half);
-        work.add(0.5 * h * c.elastic_normal, rate);
-        work.given += c.stored_normal;
-    }
-    for (const SoftContact& c : is) {
-        const double rate = parting_rate(c, wall_motion(c.a), accepted_x_, half);
-        work.add(0.5 * h * c.elastic_normal, rate);
-        work.given -= c.stored_normal + c.hysteresis;
-    }
-    if (std::abs(work.given - work.done) <= k_not_worth_it * work.turned) return;
-    SoftContact& at = strongest(is);
-    at.impulse += balance(at, accepted_x_, work.given - work.done, work.most, v);
+    for (; e < ended_.size(); ++e) end_contact(next_[ended_[e]], h, v);
 }
 
 // Spring and dashpot of a contact that has ended worked on the part of the way that lay inside it: as much of it as the
 // spring had energy for.
-void SoftSystem::end_pair(std::span<const SoftContact> was, double h, std::span<const double> half,
-                          std::span<double> v) {
-    if (is_wall(was.front().a) && !walls_.present(was.front().a)) return;
-    for (const SoftContact& c : was) {
-        const double way = h * relative_velocity(c, motion_before(c.a), previous_x_, half).dot(c.normal);
-        const double elastic = 0.5 * c.elastic_normal * way;
-        if (!(elastic > 0.0)) continue;
-        const double missed = 1.0 - c.stored_normal / elastic;
-        balance_.spared += 0.5 * missed * (c.elastic_normal - c.normal_force) * way;
-        balance(c, previous_x_, -0.5 * missed * c.normal_force * way, 0.5 * h * std::abs(c.normal_force), v);
+void SoftSystem::end_contact(const SoftContact& old, double h, std::span<double> v) {
+    if (is_wall(old.a) && !walls_.present(old.a)) return;
+    const double way = way_of(old, previous_x_, accepted_x_, h);
+    const double elastic = 0.5 * old.elastic_normal * way;
+    if (!(elastic > 0.0)) return;
+    const double missed = 1.0 - old.stored_normal / elastic;
+    balance_.spared += 0.5 * missed * (old.elastic_normal - old.normal_force) * way;
+    balance(old, previous_x_, -0.5 * missed * old.normal_force * way, 0.5 * h * std::abs(old.normal_force), v);
+}
+
+double SoftSystem::way_of(const SoftContact& old, std::span<const double> from, std::span<const double> to,
+                          double dt) const {
+    const auto way = [&](BodyIndex grain) {
+        const Vec2 shift = place(to, grain) - place(from, grain);
+        if (bodies_[Grains::at(grain)].disk) return shift;
+        const std::size_t angle = 3 * Grains::at(grain) + 2;
+        return Vec2(shift + cross(to[angle] - from[angle], Vec2(old.point - place(from, grain))));
+    };
+    if (!is_wall(old.a)) return (way(old.b) - way(old.a)).dot(old.normal);
+    const Motion& wall = walls_.motion_before(old.a);
+    return (way(old.b) - dt * (wall.velocity + cross(wall.spin, old.point))).dot(old.normal);
+}
+
+void SoftSystem::find_miss(SoftContact& contact, const SoftContact* old, double way, std::span<const double> x) const {
+    double work = 0.5 * contact.elastic_normal * way;
+    double turned = std::abs(work);
+    contact.miss = -contact.stored_normal - contact.hysteresis;
+    contact.sum = contact.elastic_normal;
+    if (old != nullptr) {
+        const double before = 0.5 * old->elastic_normal * way_of(*old, accepted_x_, x, time_ - accepted_time_);
+        work += before;
+        turned += std::abs(before);
+        contact.miss += old->stored_normal;
+        contact.sum += old->elastic_normal;
     }
+    contact.miss -= work;
+    if (std::abs(contact.miss) <= k_not_worth_it * turned) contact.miss = 0.0;
 }
 
 Vec2 SoftSystem::balance(const SoftContact& c, std::span<const double> x, double energy, double most,

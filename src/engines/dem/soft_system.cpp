@@ -65,13 +65,17 @@ void SoftSystem::find_contacts(std::span<const double> x, std::span<const double
         next_.insert(next_.end(), shares_[t].found.begin(), shares_[t].found.end());
         next_turnover_.born += shares_[t].born;
     }
+    next_ended_.clear();
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
-        if (recalled_[k] == 0) drop(contacts_[k]);
+        if (recalled_[k] != 0) continue;
+        drop(contacts_[k]);
+        next_ended_.push_back(k);
     }
 }
 
 void SoftSystem::accept(double time, std::span<const double> x) {
     contacts_.swap(next_);
+    ended_.swap(next_ended_);
     turnover_ = next_turnover_;
     accepted_time_ = time;
     previous_x_.swap(accepted_x_);
@@ -219,6 +223,7 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
         ++share.born;
     }
     respond(law, touch, mass, -relative.dot(touch.normal), relative.dot(tangent), sliding_way, contact);
+    find_miss(contact, old, way.dot(touch.normal), x);
 }
 
 /// Which old contact of a pair goes on in which of its touches: those that are nearest to one another first, so that a

@@ -37,9 +37,8 @@ public:
     void solve_implicit(double factor, std::span<const double> residual, std::span<double> dx) const;
 
     /// After `accept`, for a step of kick, drift and kick of the length h [s]: adds impulses along the normals of
-    /// contacts to v such that the springs have done as much work as they gave up energy. `half`: velocities of the
-    /// drift.
-    void balance_work(double h, std::span<const double> half, std::span<double> v);
+    /// contacts to v such that the springs have done as much work as they gave up energy.
+    void balance_work(double h, std::span<double> v);
 
     const std::vector<SoftContact>& contacts() const { return contacts_; }
     std::vector<SoftContact>& contacts() { return contacts_; }
@@ -111,11 +110,11 @@ private:
                      std::span<const double> x, std::span<const double> v);
     void recall(Share& share, BodyIndex a, BodyIndex b);
     void drop(const SoftContact& contact);
-    void go_on_with_pair(std::span<const SoftContact> was, std::span<SoftContact> is, double h,
-                         std::span<const double> half, std::span<double> v);
-    double parting_rate(const SoftContact& c, const Motion& wall, std::span<const double> x,
-                        std::span<const double> v) const;
-    void end_pair(std::span<const SoftContact> was, double h, std::span<const double> half, std::span<double> v);
+    /// What balance_work needs of a contact; `way`: by which the bodies have parted along its normal [m].
+    void find_miss(SoftContact& contact, const SoftContact* old, double way, std::span<const double> x) const;
+    /// Way by which the bodies of an old contact have parted along its normal during the time dt [s] since [m].
+    double way_of(const SoftContact& old, std::span<const double> from, std::span<const double> to, double dt) const;
+    void end_contact(const SoftContact& old, double h, std::span<double> v);
     /// The impulse on b that adds the energy [J/m], but at most `most` [N s/m].
     Vec2 balance(const SoftContact& c, std::span<const double> x, double energy, double most, std::span<double> v);
     void push(BodyIndex grain, const Vec2& arm, const Vec2& impulse, std::span<double> v);
@@ -145,7 +144,8 @@ private:
 
     double time_ = 0.0;  ///< of the evaluation at hand [s]
     std::vector<SoftContact> contacts_, next_;
-    std::vector<char> recalled_;  ///< old contacts that live on
+    std::vector<char> recalled_;                   ///< old contacts that live on
+    std::vector<std::size_t> ended_, next_ended_;  ///< old contacts that do not
     Turnover turnover_, next_turnover_;
     Balance balance_;
     std::vector<double> evaluated_x_;  ///< of the evaluation at hand
