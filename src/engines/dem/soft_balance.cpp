@@ -34,26 +34,25 @@ void SoftSystem::balance_work(double h, std::span<double> v) {
     balance_.on_walls.clear();
     balance_.spared = 0.0;
     std::size_t e = 0;
-    for (std::size_t first = 0; first < contacts_.size();) {
-        for (; e < ended_.size() && before(next_[ended_[e]], contacts_[first]); ++e)
-            end_contact(next_[ended_[e]], h, v);
-        SoftContact* strongest = &contacts_[first];
-        double miss = 0.0;
-        double sum = 0.0;
-        std::size_t k = first;
-        for (; k < contacts_.size() && same_pair(contacts_[k], contacts_[first]); ++k) {
-            miss += contacts_[k].miss;
-            sum += contacts_[k].sum;
-            if (contacts_[k].elastic_normal > strongest->elastic_normal) strongest = &contacts_[k];
+    for (std::size_t m = 0; m < missed_.size();) {
+        const SoftContact& first = contacts_[missed_[m].contact];
+        for (; e < ended_.size() && before(next_[ended_[e]], first); ++e) end_contact(next_[ended_[e]], h, v);
+        SoftContact* strongest = &contacts_[missed_[m].contact];
+        double energy = 0.0;
+        double forces = 0.0;
+        for (; m < missed_.size() && same_pair(contacts_[missed_[m].contact], first); ++m) {
+            SoftContact& contact = contacts_[missed_[m].contact];
+            energy += missed_[m].energy;
+            forces += missed_[m].forces;
+            if (contact.elastic_normal > strongest->elastic_normal) strongest = &contact;
         }
         // Two regions have become one, or one of them has gone.
-        for (; e < ended_.size() && same_pair(next_[ended_[e]], contacts_[first]); ++e) {
+        for (; e < ended_.size() && same_pair(next_[ended_[e]], first); ++e) {
             const SoftContact& old = next_[ended_[e]];
-            miss += old.stored_normal - 0.5 * old.elastic_normal * way_of(old, previous_x_, accepted_x_, h);
-            sum += old.elastic_normal;
+            energy += old.stored_normal - 0.5 * old.elastic_normal * way_of(old, previous_x_, accepted_x_, h);
+            forces += old.elastic_normal;
         }
-        if (miss != 0.0) strongest->impulse += balance(*strongest, accepted_x_, miss, 0.5 * h * sum, v);
-        first = k;
+        strongest->impulse += balance(*strongest, accepted_x_, energy, 0.5 * h * forces, v);
     }
     for (; e < ended_.size(); ++e) end_contact(next_[ended_[e]], h, v);
 }
@@ -83,20 +82,20 @@ double SoftSystem::way_of(const SoftContact& old, std::span<const double> from, 
     return (way(old.b) - dt * (wall.velocity + cross(wall.spin, old.point))).dot(old.normal);
 }
 
-void SoftSystem::find_miss(SoftContact& contact, const SoftContact* old, double way, std::span<const double> x) const {
+void SoftSystem::find_miss(Share& share, const SoftContact* old, double way, std::span<const double> x) const {
+    const SoftContact& contact = share.found.back();
     double work = 0.5 * contact.elastic_normal * way;
     double turned = std::abs(work);
-    contact.miss = -contact.stored_normal - contact.hysteresis;
-    contact.sum = contact.elastic_normal;
+    Miss miss{share.found.size() - 1, -contact.stored_normal - contact.hysteresis, contact.elastic_normal};
     if (old != nullptr) {
         const double before = 0.5 * old->elastic_normal * way_of(*old, accepted_x_, x, time_ - accepted_time_);
         work += before;
         turned += std::abs(before);
-        contact.miss += old->stored_normal;
-        contact.sum += old->elastic_normal;
+        miss.energy += old->stored_normal;
+        miss.forces += old->elastic_normal;
     }
-    contact.miss -= work;
-    if (std::abs(contact.miss) <= k_not_worth_it * turned) contact.miss = 0.0;
+    miss.energy -= work;
+    if (std::abs(miss.energy) > k_not_worth_it * turned) share.missed.push_back(miss);
 }
 
 Vec2 SoftSystem::balance(const SoftContact& c, std::span<const double> x, double energy, double most,

@@ -17,10 +17,6 @@ struct SoftContact {
     double stored_sliding = 0.0;  ///< energy of the tangential spring [J/m]
     double hysteresis = 0.0;      ///< energy spent by the normal law at the last evaluation [J/m]
 
-    // For SoftSystem::balance_work; of the step that the last evaluation ended.
-    double miss = 0.0;  ///< energy that the normal spring gave up, less its work [J/m]
-    double sum = 0.0;   ///< of its forces at both ends [N/m]
-
     // Memory.
     double damping = 0.0;         ///< what the law makes of the restitution at birth; see soft_law.h
     double stretch = 0.0;         ///< of the tangential spring [m]; walton_braun: its force [N/m]

@@ -19,7 +19,7 @@ bool before(const SoftContact& c, BodyIndex a, BodyIndex b) { return c.a != a ? 
 SoftSystem::SoftSystem(const Scene& scene, const DemSettings& settings)
     : scene_(scene), laws_(scene, settings), walls_(scene), candidates_(scene, settings) {
     shares_.assign(static_cast<std::size_t>(std::max(1, scene.threads)),
-                   Share{TouchFinder(settings), {}, {}, {}, {}, 0, 0});
+                   Share{TouchFinder(settings), {}, {}, {}, {}, {}, 0, 0});
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         const Shape& shape = scene.shape_of(k);
         const bool disk = std::holds_alternative<Disk>(shape);
@@ -51,6 +51,7 @@ void SoftSystem::find_contacts(std::span<const double> x, std::span<const double
         const auto number = static_cast<std::size_t>(t);
         Share& share = shares_[number];
         share.found.clear();
+        share.missed.clear();
         share.cursor = 0;
         share.born = 0;
         const std::size_t first = pairs.size() * number / used;
@@ -61,7 +62,12 @@ void SoftSystem::find_contacts(std::span<const double> x, std::span<const double
     next_.swap(shares_[0].found);
     next_turnover_ = {};
     next_turnover_.born = shares_[0].born;
+    next_missed_.swap(shares_[0].missed);
     for (std::size_t t = 1; t < used; ++t) {
+        for (Miss& miss : shares_[t].missed) {
+            miss.contact += next_.size();
+            next_missed_.push_back(miss);
+        }
         next_.insert(next_.end(), shares_[t].found.begin(), shares_[t].found.end());
         next_turnover_.born += shares_[t].born;
     }
@@ -76,6 +82,7 @@ void SoftSystem::find_contacts(std::span<const double> x, std::span<const double
 void SoftSystem::accept(double time, std::span<const double> x) {
     contacts_.swap(next_);
     ended_.swap(next_ended_);
+    missed_.swap(next_missed_);
     turnover_ = next_turnover_;
     accepted_time_ = time;
     previous_x_.swap(accepted_x_);
@@ -223,7 +230,7 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
         ++share.born;
     }
     respond(law, touch, mass, -relative.dot(touch.normal), relative.dot(tangent), sliding_way, contact);
-    find_miss(contact, old, way.dot(touch.normal), x);
+    find_miss(share, old, way.dot(touch.normal), x);
 }
 
 /// Which old contact of a pair goes on in which of its touches: those that are nearest to one another first, so that a

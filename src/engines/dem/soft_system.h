@@ -88,6 +88,12 @@ private:
     };
 
     void place_polygons(std::span<const double> x);
+    /// What the normal spring of a contact missed in the step that the last evaluation ended.
+    struct Miss {
+        std::size_t contact = 0;
+        double energy = 0.0;  ///< that it gave up, less its work [J/m]
+        double forces = 0.0;  ///< sum of those at both ends [N/m]
+    };
     /// What one thread finds in its share of the candidates, and its tools.
     struct Share {
         TouchFinder geometry;
@@ -95,6 +101,7 @@ private:
         std::vector<Touch> touches;              ///< of the pair at hand
         std::vector<const SoftContact*> memory;  ///< the old contact that each goes on from, if any
         std::vector<SoftContact> found;
+        std::vector<Miss> missed;
         std::size_t cursor = 0;  ///< first old contact that has not been passed
         std::int64_t born = 0;
     };
@@ -110,8 +117,9 @@ private:
                      std::span<const double> x, std::span<const double> v);
     void recall(Share& share, BodyIndex a, BodyIndex b);
     void drop(const SoftContact& contact);
-    /// What balance_work needs of a contact; `way`: by which the bodies have parted along its normal [m].
-    void find_miss(SoftContact& contact, const SoftContact* old, double way, std::span<const double> x) const;
+    /// Enters the miss of the contact found last, if it is worth mending; `way`: by which the bodies have parted along
+    /// its normal [m].
+    void find_miss(Share& share, const SoftContact* old, double way, std::span<const double> x) const;
     /// Way by which the bodies of an old contact have parted along its normal during the time dt [s] since [m].
     double way_of(const SoftContact& old, std::span<const double> from, std::span<const double> to, double dt) const;
     void end_contact(const SoftContact& old, double h, std::span<double> v);
@@ -146,6 +154,7 @@ private:
     std::vector<SoftContact> contacts_, next_;
     std::vector<char> recalled_;                   ///< old contacts that live on
     std::vector<std::size_t> ended_, next_ended_;  ///< old contacts that do not
+    std::vector<Miss> missed_, next_missed_;
     Turnover turnover_, next_turnover_;
     Balance balance_;
     std::vector<double> evaluated_x_;  ///< of the evaluation at hand
