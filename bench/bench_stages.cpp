@@ -66,7 +66,7 @@ public:
         correction_.correct(contacts_, bodies_, scene_.gravity, {k_dt, PositionCorrection::k_trigger}, 1.0, trial);
     }
 
-    double sum_energy() const { return total_energy(bodies_, poses_, scene_.gravity); }
+    double sum_energy() const { return total_energy(bodies_, poses_, scene_.gravity, Parallel(1)); }
 
     double grains() const { return static_cast<double>(scene_.grains.size()); }
     double contacts() const { return static_cast<double>(contacts_.size()); }

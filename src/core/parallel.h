@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace polargrain {
 
@@ -32,6 +33,16 @@ public:
             const std::size_t first = k * length;
             run(first, first + length < count ? first + length : count);
         });
+    }
+
+    /// The sum of what run(first, last) returns for each of these runs, added in order.
+    template <typename Run>
+    auto sum(std::size_t count, std::size_t length, const Run& run) const {
+        std::vector<decltype(run(count, count))> parts((count + length - 1) / length);
+        runs(count, length, [&](std::size_t first, std::size_t last) { parts[first / length] = run(first, last); });
+        decltype(run(count, count)) total{};
+        for (const auto& part : parts) total += part;
+        return total;
     }
 
 private:

@@ -19,7 +19,12 @@ namespace {
 class ContactEngine final : public Engine {
 public:
     explicit ContactEngine(const Scene& scene)
-        : scene_(scene), parallel_(std::max(1, scene.threads)), detection_(scene), solver_(scene), rejection_(scene) {
+        : scene_(scene),
+          parallel_(std::max(1, scene.threads)),
+          detection_(scene),
+          solver_(scene),
+          repair_(scene),
+          rejection_(scene) {
         const double g = std::sqrt(scene.gravity.squaredNorm());
         for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
             opening_unit_ += g * scene.grains.mass[Grains::at(k)] * detection_.resting_gap(k, wall_body(0));
@@ -56,13 +61,14 @@ private:
     static constexpr int k_careful_steps = 10;
     static constexpr double k_careful_share = 0.01;
     static constexpr int k_most_halvings = 3;
+    static constexpr std::size_t k_run = 1024;  ///< grains or contacts that a thread takes at a time
 
     /// One step, or a part of one: where repair leaves an overlap, everything is taken back and done again in two
     /// halves, as what it could not foresee grows with the square of dt. Only parts of dt / 2^k_most_halvings reject.
     void advance(std::int64_t step, double time, double dt, int halvings, StepReport& report) {
         forget_removed_walls(time);
         remember(report);
-        const double energy_before = total_energy(bodies_, before_, scene_.gravity);
+        const double energy_before = energy_at(before_);
         granted_ = 0.0;
         trial_ = before_;
         solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(), report);
@@ -91,11 +97,14 @@ private:
 
     void remember(const StepReport& report) {
         bodies_remembered_ = bodies_;
-        contacts_remembered_.clear();
-        for (const GapContact& c : contacts_) {
-            contacts_remembered_.push_back(
-                {c.point, c.normal, c.gap, c.normal_impulse, c.tangent_impulse, c.low, c.high});
-        }
+        contacts_remembered_.resize(contacts_.size());
+        parallel_.runs(contacts_.size(), k_run, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) {
+                const GapContact& c = contacts_[k];
+                contacts_remembered_[k] = {c.point,           c.normal, c.gap, c.normal_impulse,
+                                           c.tangent_impulse, c.low,    c.high};
+            }
+        });
         ledger_remembered_ = report.ledger;
         walls_remembered_ = report.walls;
         impacts_remembered_ = report.impacts;
@@ -132,20 +141,22 @@ private:
         const std::size_t n = world.grains.x.size();
         bodies_.resize(n);
         before_.resize(n);
-        for (std::size_t k = 0; k < n; ++k) {
-            const auto g = static_cast<GrainIndex>(k);
-            bodies_[k] = {world.grains.velocity(g), world.grains.spin[k], 1.0 / world.grains.mass[k],
-                          1.0 / world.grains.inertia[k], false};
-            before_.centre[k] = world.grains.position(g);
-            before_.angle[k] = world.grains.angle[k];
-            before_.refresh(k);
-        }
+        parallel_.runs(n, k_run, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) {
+                const auto g = static_cast<GrainIndex>(k);
+                bodies_[k] = {world.grains.velocity(g), world.grains.spin[k], 1.0 / world.grains.mass[k],
+                              1.0 / world.grains.inertia[k], false};
+                before_.centre[k] = world.grains.position(g);
+                before_.angle[k] = world.grains.angle[k];
+                before_.refresh(k);
+            }
+        });
     }
 
     /// Before the first step: bodies that the scene lets touch are moved apart to their resting gaps, so that they need
     /// not be pushed apart while they move. The energy this takes stands in the ledger as correction.
     void open_gaps(double time, double dt, StepReport& report) {
-        const double energy_touching = total_energy(bodies_, before_, scene_.gravity);
+        const double energy_touching = energy_at(before_);
         const auto detect = [&] {
             detection_.detect(before_, trial_, bodies_, time, time, dt);
             contacts_ = detection_.contacts();
@@ -165,7 +176,7 @@ private:
         trial_ = before_;
         detect();
         detected_ = true;
-        report.ledger.correction += total_energy(bodies_, before_, scene_.gravity) - energy_touching;
+        report.ledger.correction += energy_at(before_) - energy_touching;
     }
 
     /// The contacts of a wall that is gone stay in the array, as pairs refer to it, but out of everybody's reach.
@@ -180,14 +191,14 @@ private:
         }
     }
 
+    double energy_at(const PoseSet& poses) const { return total_energy(bodies_, poses, scene_.gravity, parallel_); }
     double wall_work(const StepReport& report) const { return report.ledger.wall_work - ledger_remembered_.wall_work; }
 
     /// The correction may spend half of what the step has dissipated, and a little of its own, which comes to an end:
     /// bodies that start without any gap between them could otherwise never get their resting gaps. That little is
     /// granted to the guard and stands in the ledger as correction.
     void correct_positions(double energy_before, double dt, StepReport& report) {
-        const double dissipated =
-            std::max(0.0, energy_before + wall_work(report) - total_energy(bodies_, trial_, scene_.gravity));
+        const double dissipated = std::max(0.0, energy_before + wall_work(report) - energy_at(trial_));
         const double grant = std::min(k_opening * opening_unit_, opening_left_);
         const double lift = correction_.correct(contacts_, bodies_, scene_.gravity, {dt, PositionCorrection::k_still},
                                                 k_spending * dissipated + grant, trial_);
@@ -197,7 +208,6 @@ private:
     }
 
     void refresh_trial() {
-        constexpr std::size_t k_run = 1024;
         parallel_.runs(trial_.pose.size(), k_run, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) trial_.refresh(k);
         });
@@ -214,9 +224,9 @@ private:
         overlapping_ = 0;
         repair_lift_ = 0.0;
         if (overlapping == 0) return;
-        const double before = total_energy(bodies_, trial_, scene_.gravity);
+        const double before = energy_at(trial_);
         overlapping_ = repair_.run(detection_, bodies_, before_, trial_);
-        repair_lift_ = std::max(0.0, total_energy(bodies_, trial_, scene_.gravity) - before);
+        repair_lift_ = std::max(0.0, energy_at(trial_) - before);
         report.ledger.correction += repair_lift_;
     }
 
@@ -229,7 +239,7 @@ private:
         EnergyLedger& ledger = report.ledger;
         const EnergyLedger& was = ledger_remembered_;
         const double allowed = energy_before + wall_work(report) + granted_;
-        double now = total_energy(bodies_, trial_, scene_.gravity);
+        double now = energy_at(trial_);
         now -= guard_energy(bodies_, now - allowed);
         ledger.rises += std::max(0.0, now - allowed - repair_lift_);
         ledger.created += now - energy_before - wall_work(report) + (ledger.restitution_loss - was.restitution_loss) +
@@ -248,8 +258,16 @@ private:
             world.grains.set_velocity(g, bodies_[k].velocity);
             world.grains.spin[k] = bodies_[k].spin;
         }
-        std::stable_sort(report.contacts.begin(), report.contacts.end(),
-                         [](const Contact& p, const Contact& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); });
+        const auto by_bodies = [](const Contact& p, const Contact& q) {
+            return p.a < q.a || (p.a == q.a && p.b < q.b);
+        };
+        // As a rule those of grains are in order already.
+        const auto grains = std::stable_partition(report.contacts.begin(), report.contacts.end(),
+                                                  [](const Contact& c) { return is_wall(c.a); });
+        std::stable_sort(report.contacts.begin(), grains, by_bodies);
+        if (!std::is_sorted(grains, report.contacts.end(), by_bodies)) {
+            std::stable_sort(grains, report.contacts.end(), by_bodies);
+        }
         for (const GapContact& c : contacts_) report.deepest = std::max(report.deepest, -c.gap);
     }
 

@@ -139,6 +139,9 @@ void ContactLanes::fill(const std::vector<GapContact>& contacts, std::vector<Sol
         block(k).j[lane(k)] = static_cast<std::int32_t>(bodies.size());
         bodies.emplace_back();
     }
+    // Threads may work on blocks at the same time: each has a body of its own for its empty lanes.
+    const std::size_t nobody = bodies.size();
+    bodies.resize(nobody + count);
     parallel_.runs(contacts.size(), k_lanes * k_blocks_a_run, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             block(k).i[lane(k)] = contacts[k].i;
@@ -147,16 +150,14 @@ void ContactLanes::fill(const std::vector<GapContact>& contacts, std::vector<Sol
             put(contacts[k], k, bodies);
         }
     });
-    // Threads may work on blocks at the same time: each with empty lanes gets a body of its own for them.
-    for (std::size_t b = 0; b < count; ++b) {
-        bool empty = false;
-        for (int n = 0; n < k_lanes; ++n) {
-            if (travels_[b].contact[n] >= 0) continue;
-            blocks_[b].i[n] = blocks_[b].j[n] = static_cast<std::int32_t>(bodies.size());
-            empty = true;
+    parallel_.runs(count, k_blocks_a_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) {
+            for (int n = 0; n < k_lanes; ++n) {
+                if (travels_[b].contact[n] < 0)
+                    blocks_[b].i[n] = blocks_[b].j[n] = static_cast<std::int32_t>(nobody + b);
+            }
         }
-        if (empty) bodies.emplace_back();
-    }
+    });
 }
 
 void ContactLanes::put(const GapContact& c, std::size_t contact, const std::vector<SolverBody>& bodies) {
@@ -230,12 +231,18 @@ LaneLosses ContactLanes::move(const std::vector<SolverBody>& bodies, const LaneM
 }
 
 void ContactLanes::mark_pushed(std::vector<char>& pushed) const {
-    for (const LaneBlock& b : blocks_) {
-        for (int n = 0; n < k_lanes; ++n) {
-            if (b.normal_impulse.of[n] == 0.0) continue;
-            pushed[static_cast<std::size_t>(b.i[n])] = 1;
-            pushed[static_cast<std::size_t>(b.j[n])] = 1;
-        }
+    for (const std::vector<std::size_t>& groups : of_phase_) {
+        parallel_.each(groups.size(), [&](std::size_t n) {
+            const Group& group = groups_[groups[n]];
+            for (std::ptrdiff_t b = group.first; b < group.last; ++b) {
+                const LaneBlock& of = blocks_[static_cast<std::size_t>(b)];
+                for (int lane = 0; lane < k_lanes; ++lane) {
+                    if (of.normal_impulse.of[lane] == 0.0) continue;
+                    pushed[static_cast<std::size_t>(of.i[lane])] = 1;
+                    pushed[static_cast<std::size_t>(of.j[lane])] = 1;
+                }
+            }
+        });
     }
 }
 

@@ -9,12 +9,16 @@ double kinetic_energy(const SolverBody& body) {
     return 0.5 * (body.velocity.squaredNorm() / body.inverse_mass + body.spin * body.spin / body.inverse_inertia);
 }
 
-double total_energy(const std::vector<SolverBody>& bodies, const PoseSet& poses, const Vec2& gravity) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        sum += kinetic_energy(bodies[k]) - gravity.dot(poses.centre[k]) / bodies[k].inverse_mass;
-    }
-    return sum;
+double total_energy(const std::vector<SolverBody>& bodies, const PoseSet& poses, const Vec2& gravity,
+                    const Parallel& parallel) {
+    constexpr std::size_t k_run = 1024;
+    return parallel.sum(bodies.size(), k_run, [&](std::size_t first, std::size_t last) {
+        double sum = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            sum += kinetic_energy(bodies[k]) - gravity.dot(poses.centre[k]) / bodies[k].inverse_mass;
+        }
+        return sum;
+    });
 }
 
 double guard_energy(std::vector<SolverBody>& bodies, double excess) {

@@ -16,6 +16,9 @@ Joint joint_between(const Vec2& before, const Vec2& at, const Vec2& after) {
     return turn > 0.0 ? Joint::left_turn : Joint::right_turn;
 }
 
+/// Pairs, contacts or grains that a thread takes at a time, where each costs little.
+constexpr std::size_t k_run = 1024;
+
 bool before_pair(const PairContacts& p, const PairContacts& q) {
     const bool wall_p = is_wall(p.j);
     const bool wall_q = is_wall(q.j);
@@ -86,17 +89,25 @@ void GapDetection::place_walls(double time_before, double time_now) {
 /// matter.
 void GapDetection::find_agitation(const PoseSet& now, const std::vector<SolverBody>& bodies, double dt) {
     const auto surface_speed = [&](GrainIndex k) { return std::abs(bodies[Grains::at(k)].spin) * list_.radius(k); };
+    const std::span<const GrainPair> pairs = list_.pairs();
+    pair_way_.resize(pairs.size());
+    parallel_.runs(pairs.size(), k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t n = first; n < last; ++n) {
+            const auto [a, b] = pairs[n];
+            const Vec2 relative = bodies[Grains::at(a)].velocity - bodies[Grains::at(b)].velocity;
+            const double way = dt * (std::sqrt(relative.squaredNorm()) + surface_speed(a) + surface_speed(b));
+            const double reach = list_.radius(a) + list_.radius(b) + way + gravity_way_ + resting_gap(b, a);
+            const double distance2 = (now.centre[Grains::at(a)] - now.centre[Grains::at(b)]).squaredNorm();
+            pair_way_[n] = distance2 < reach * reach ? way : 0.0;
+        }
+    });
     std::fill(look_ahead_.begin(), look_ahead_.end(), 0.0);
-    for (const auto& [a, b] : list_.pairs()) {
-        const Vec2 relative = bodies[Grains::at(a)].velocity - bodies[Grains::at(b)].velocity;
-        const double way = dt * (std::sqrt(relative.squaredNorm()) + surface_speed(a) + surface_speed(b));
-        const double reach = list_.radius(a) + list_.radius(b) + way + gravity_way_ + resting_gap(b, a);
-        if ((now.centre[Grains::at(a)] - now.centre[Grains::at(b)]).squaredNorm() >= reach * reach) continue;
-        look_ahead_[Grains::at(a)] = std::max(look_ahead_[Grains::at(a)], way);
-        look_ahead_[Grains::at(b)] = std::max(look_ahead_[Grains::at(b)], way);
+    for (std::size_t n = 0; n < pairs.size(); ++n) {
+        const auto [a, b] = pairs[n];
+        look_ahead_[Grains::at(a)] = std::max(look_ahead_[Grains::at(a)], pair_way_[n]);
+        look_ahead_[Grains::at(b)] = std::max(look_ahead_[Grains::at(b)], pair_way_[n]);
     }
-    const auto grains = static_cast<GrainIndex>(now.centre.size());
-    for (GrainIndex k = 0; k < grains; ++k) {
+    const auto look_at_walls = [&](GrainIndex k) {
         const double own = dt * (std::sqrt(bodies[Grains::at(k)].velocity.squaredNorm()) + surface_speed(k));
         const double radius = list_.radius(k);
         for (const Piece& piece : pieces_) {
@@ -109,7 +120,10 @@ void GapDetection::find_agitation(const PoseSet& now, const std::vector<SolverBo
             const double s = std::clamp(from.dot(along) / length2, 0.0, 1.0);
             if ((from - s * along).squaredNorm() < reach * reach) look_ahead_[Grains::at(k)] = ahead;
         }
-    }
+    };
+    parallel_.runs(now.centre.size(), k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) look_at_walls(static_cast<GrainIndex>(k));
+    });
 }
 
 void GapDetection::Found::clear() {
@@ -281,16 +295,22 @@ void GapDetection::put_in_order() {
     if (!spliced_) return;
     spliced_ = false;
     Found& ordered = patch_;
-    ordered.clear();
-    for (PairContacts pair : found_.pairs) {
-        const auto first = static_cast<std::ptrdiff_t>(pair.first);
-        const auto last = first + static_cast<std::ptrdiff_t>(pair.count);
-        pair.first = static_cast<std::int32_t>(ordered.contacts.size());
-        ordered.pairs.push_back(pair);
-        ordered.contacts.insert(ordered.contacts.end(), found_.contacts.begin() + first,
-                                found_.contacts.begin() + last);
-        ordered.points.insert(ordered.points.end(), found_.points.begin() + first, found_.points.begin() + last);
+    ordered.pairs = found_.pairs;
+    std::int32_t end = 0;
+    for (PairContacts& pair : ordered.pairs) {
+        pair.first = end;
+        end += pair.count;
     }
+    ordered.contacts.resize(static_cast<std::size_t>(end));
+    ordered.points.resize(static_cast<std::size_t>(end));
+    parallel_.runs(ordered.pairs.size(), k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const PairContacts& pair = ordered.pairs[k];
+            std::copy_n(found_.contacts.begin() + found_.pairs[k].first, pair.count,
+                        ordered.contacts.begin() + pair.first);
+            std::copy_n(found_.points.begin() + found_.pairs[k].first, pair.count, ordered.points.begin() + pair.first);
+        }
+    });
     std::swap(found_, ordered);
     in_order_ = found_.contacts.size();
 }
@@ -423,14 +443,17 @@ void match_pair(std::span<GapContact> now, std::span<GapContact> old) {
 }  // namespace
 
 void GapDetection::match(const std::vector<PairContacts>& old_pairs, std::vector<GapContact>& old_contacts) {
-    std::size_t old = 0;
-    for (const PairContacts& pair : found_.pairs) {
-        while (old < old_pairs.size() && before_pair(old_pairs[old], pair)) ++old;
-        if (old == old_pairs.size()) break;
-        if (before_pair(pair, old_pairs[old])) continue;
-        match_pair({found_.contacts.data() + pair.first, static_cast<std::size_t>(pair.count)},
-                   {old_contacts.data() + old_pairs[old].first, static_cast<std::size_t>(old_pairs[old].count)});
-    }
+    parallel_.runs(found_.pairs.size(), k_run, [&](std::size_t first, std::size_t last) {
+        auto old = std::lower_bound(old_pairs.begin(), old_pairs.end(), found_.pairs[first], before_pair);
+        for (std::size_t k = first; k < last; ++k) {
+            const PairContacts& pair = found_.pairs[k];
+            while (old != old_pairs.end() && before_pair(*old, pair)) ++old;
+            if (old == old_pairs.end()) break;
+            if (before_pair(pair, *old)) continue;
+            match_pair({found_.contacts.data() + pair.first, static_cast<std::size_t>(pair.count)},
+                       {old_contacts.data() + old->first, static_cast<std::size_t>(old->count)});
+        }
+    });
 }
 
 }  // namespace polargrain

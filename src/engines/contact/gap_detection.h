@@ -108,6 +108,7 @@ private:
     PairList list_;
     std::vector<double> diameter_;
     std::vector<double> look_ahead_;  ///< per grain: dt x the largest speed relative to anything near [m]
+    std::vector<double> pair_way_;    ///< per listed pair: the same of the two alone; 0 if they cannot meet
     std::vector<double> clearance_;
     std::vector<Piece> pieces_;
     std::vector<double> wall_speed_;

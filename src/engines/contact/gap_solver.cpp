@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "src/engines/contact/energy_guard.h"
 #include "src/engines/contact/gap_motion.h"
 #include "src/model/contact_law.h"
 
@@ -12,7 +13,19 @@ namespace polargrain {
 namespace {
 
 /// Grains or contacts that a thread takes at a time.
-constexpr std::size_t k_run = 2048;
+constexpr std::size_t k_run = 1024;
+
+/// Kinetic energy of grains before and after a sub-step, and what gravity does on their way in it [J/m].
+struct Balance {
+    double before = 0.0, after = 0.0, fall = 0.0;
+
+    Balance& operator+=(const Balance& more) {
+        before += more.before;
+        after += more.after;
+        fall += more.fall;
+        return *this;
+    }
+};
 
 }  // namespace
 
@@ -131,10 +144,12 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Effor
     if (resting) stop();
     pushed_.assign(bodies_.size(), 0);
     lanes_.mark_pushed(pushed_);
-    for (std::size_t k = 0; k < grains_; ++k) {
-        if (!pushed_[k]) continue;
-        push_[k] = {bodies_[k].velocity - (velocity_before_[k] + kick), bodies_[k].spin - spin_before_[k]};
-    }
+    parallel_.runs(grains_, k_run, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            if (!pushed_[k]) continue;
+            push_[k] = {bodies_[k].velocity - (velocity_before_[k] + kick), bodies_[k].spin - spin_before_[k]};
+        }
+    });
 }
 
 /// Does the first guess hold every grain in its place? Then it is the solution, and the bed stays still to the last bit
@@ -166,17 +181,17 @@ void GapSolver::keep_energy(const std::vector<GapContact>& contacts, double h) {
     for (const std::size_t k : moving_) {
         if (lanes_.normal_impulse(k) > 0.0 && contacts[k].wall_velocity != Vec2::Zero()) return;
     }
-    double before = 0.0;
-    double after = 0.0;
-    double fall = 0.0;
-    for (std::size_t k = 0; k < grains_; ++k) {
-        if (!pushed_[k]) continue;
-        const SolverBody& body = bodies_[k];
-        before += 0.5 * (velocity_before_[k].squaredNorm() / body.inverse_mass +
-                         spin_before_[k] * spin_before_[k] / body.inverse_inertia);
-        after += 0.5 * (body.velocity.squaredNorm() / body.inverse_mass + body.spin * body.spin / body.inverse_inertia);
-        fall += h * scene_.gravity.dot(body.velocity) / body.inverse_mass;
-    }
+    const auto [before, after, fall] = parallel_.sum(grains_, k_run, [&](std::size_t first, std::size_t last) {
+        Balance sum;
+        for (std::size_t k = first; k < last; ++k) {
+            if (!pushed_[k]) continue;
+            const SolverBody& body = bodies_[k];
+            const SolverBody earlier{velocity_before_[k], spin_before_[k], body.inverse_mass, body.inverse_inertia};
+            sum += {kinetic_energy(earlier), kinetic_energy(body),
+                    h * scene_.gravity.dot(body.velocity) / body.inverse_mass};
+        }
+        return sum;
+    });
     if (after - fall <= before) return;
     // The larger root of after f^2 - fall f - before = 0, in the form that loses no digits.
     const double root = std::sqrt(fall * fall + 4.0 * after * before);
@@ -196,8 +211,7 @@ void GapSolver::move(std::vector<GapContact>& contacts, PoseSet& trial, double h
     for (const std::size_t k : moving_) book(k, contacts[k], report);
     lanes_.each_left([&](std::size_t k) { leave_edge(k, contacts[k], report); });
     const Vec2 half_kick = 0.5 * h * scene_.gravity;
-    stop_losses_.assign((grains_ + k_run - 1) / k_run, 0.0);
-    parallel_.runs(grains_, k_run, [&](std::size_t first, std::size_t last) {
+    report.ledger.restitution_loss += parallel_.sum(grains_, k_run, [&](std::size_t first, std::size_t last) {
         double loss = 0.0;
         for (std::size_t k = first; k < last; ++k) {
             SolverBody& body = bodies_[k];
@@ -212,9 +226,8 @@ void GapSolver::move(std::vector<GapContact>& contacts, PoseSet& trial, double h
             }
             trial.angle[k] += h * body.spin;
         }
-        stop_losses_[first / k_run] = loss;
+        return loss;
     });
-    for (const double loss : stop_losses_) report.ledger.restitution_loss += loss;
 }
 
 /// Hands the impulses of the sub-steps since the last time to the contact, and to its wall.

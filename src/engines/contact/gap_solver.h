@@ -88,7 +88,6 @@ private:
     std::vector<double> spin_before_;
     std::vector<Push> push_;
     std::vector<char> pushed_;
-    std::vector<double> stop_losses_;  ///< of runs of grains
 };
 
 }  // namespace polargrain

@@ -4,24 +4,23 @@
 
 namespace polargrain {
 
+Repair::Repair(const Scene& scene)
+    : parallel_(std::max(1, scene.threads)),
+      chosen_(static_cast<std::size_t>(scene.grains.size()), 0),
+      parent_(chosen_.size(), 0),
+      island_of_(chosen_.size(), 0),
+      shift_(chosen_.size()) {}
+
 int Repair::run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial) {
     const auto overlapping = [&] {
         return static_cast<int>(std::count_if(detection.pairs().begin(), detection.pairs().end(),
                                               [](const PairContacts& p) { return p.overlapping; }));
     };
-    way_.resize(bodies.size());
-    turn_.resize(bodies.size());
     int left = overlapping();
     for (int pass = 1; pass <= k_passes && left > 0; ++pass) {
         choose_grains(detection, pass);
         solve(detection, bodies, trial);
-        for (std::size_t k = 0; k < chosen_.size(); ++k) {
-            chosen_[k] = way_[k] != Vec2::Zero() || turn_[k] != 0.0 ? 1 : 0;
-            if (!chosen_[k]) continue;
-            trial.centre[k] += way_[k];
-            trial.angle[k] += turn_[k];
-            trial.refresh(k);
-        }
+        move_chosen(trial);
         detection.detect_moved(before, trial, chosen_);
         left = overlapping();
     }
@@ -31,60 +30,127 @@ int Repair::run(GapDetection& detection, const std::vector<SolverBody>& bodies, 
 /// The overlapping grains, and as many rings of neighbours that all but touch.
 void Repair::choose_grains(const GapDetection& detection, int rings) {
     const std::vector<PairContacts>& pairs = detection.pairs();
-    by_grain_.index(pairs, way_.size());
-    chosen_.assign(way_.size(), 0);
-    edge_.clear();
-    const auto choose = [&](BodyIndex body, std::vector<GrainIndex>& list) {
-        if (is_wall(body) || chosen_[Grains::at(body)]) return;
-        chosen_[Grains::at(body)] = 1;
-        list.push_back(body);
-    };
+    by_grain_.index(pairs, chosen_.size());
+    std::fill(chosen_.begin(), chosen_.end(), 0);
+    grains_.clear();
     for (const PairContacts& pair : pairs) {
         if (!pair.overlapping) continue;
-        choose(pair.i, edge_);
-        choose(pair.j, edge_);
+        choose(pair.i);
+        choose(pair.j);
     }
+    std::size_t first = 0;
     for (int ring = 0; ring < rings; ++ring) {
-        next_edge_.clear();
-        for (const GrainIndex grain : edge_) {
-            for (const std::int32_t n : by_grain_.of(grain)) {
+        const std::size_t last = grains_.size();
+        for (; first < last; ++first) {
+            for (const std::int32_t n : by_grain_.of(grains_[first])) {
                 const PairContacts& pair = pairs[static_cast<std::size_t>(n)];
+                if (is_wall(pair.j) || (chosen_[Grains::at(pair.i)] && chosen_[Grains::at(pair.j)])) continue;
                 const bool near = std::any_of(detection.begin_of(pair), detection.end_of(pair),
                                               [](const GapContact& c) { return c.gap < k_ring * c.resting; });
-                if (!near || is_wall(pair.j)) continue;
-                choose(pair.i, next_edge_);
-                choose(pair.j, next_edge_);
+                if (!near) continue;
+                choose(pair.i);
+                choose(pair.j);
             }
         }
-        edge_.swap(next_edge_);
+    }
+}
+
+void Repair::choose(BodyIndex body) {
+    if (is_wall(body) || chosen_[Grains::at(body)]) return;
+    chosen_[Grains::at(body)] = 1;
+    grains_.push_back(body);
+}
+
+/// Moves what has been shifted; only that is still chosen afterwards.
+void Repair::move_chosen(PoseSet& trial) {
+    for (const GrainIndex grain : grains_) {
+        const std::size_t k = Grains::at(grain);
+        chosen_[k] = shift_[k].way != Vec2::Zero() || shift_[k].turn != 0.0 ? 1 : 0;
+        if (!chosen_[k]) continue;
+        trial.centre[k] += shift_[k].way;
+        trial.angle[k] += shift_[k].turn;
+        trial.refresh(k);
     }
 }
 
 void Repair::solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial) {
-    std::fill(way_.begin(), way_.end(), Vec2::Zero());
-    std::fill(turn_.begin(), turn_.end(), 0.0);
+    constexpr std::size_t k_islands_a_run = 8;
+    for (const GrainIndex grain : grains_) shift_[Grains::at(grain)] = {};
     collect_rows(detection, bodies, trial);
-    const std::vector<GapContact>& contacts = detection.contacts();
+    part_islands();
+    parallel_.runs(islands_.size(), k_islands_a_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) solve_island(islands_[k]);
+    });
+}
+
+/// Rows by island, in each in the order in which they were collected.
+void Repair::part_islands() {
+    for (const GrainIndex grain : grains_) parent_[Grains::at(grain)] = grain;
+    for (const Row& row : rows_) {
+        if (row.i.grain < 0 || row.j.grain < 0) continue;
+        const GrainIndex p = root_of(row.i.grain);
+        const GrainIndex q = root_of(row.j.grain);
+        parent_[Grains::at(std::max(p, q))] = std::min(p, q);
+    }
+    for (const GrainIndex grain : grains_) island_of_[Grains::at(grain)] = -1;
+    islands_.clear();
+    for (const Row& row : rows_) {
+        std::int32_t& island = island_of_[Grains::at(root_of(row.grain()))];
+        if (island < 0) {
+            island = static_cast<std::int32_t>(islands_.size());
+            islands_.push_back({0, 0});
+        }
+        ++islands_[static_cast<std::size_t>(island)].last;
+    }
+    std::size_t end = 0;
+    for (Island& island : islands_) {
+        const std::size_t size = island.last;
+        island = {end, end};
+        end += size;
+    }
+    sorted_.resize(rows_.size());
+    for (const Row& row : rows_) {
+        Island& island = islands_[static_cast<std::size_t>(island_of_[Grains::at(root_of(row.grain()))])];
+        sorted_[island.last++] = row;
+    }
+}
+
+GrainIndex Repair::root_of(GrainIndex grain) {
+    while (parent_[Grains::at(grain)] != grain) {
+        parent_[Grains::at(grain)] = parent_[Grains::at(parent_[Grains::at(grain)])];
+        grain = parent_[Grains::at(grain)];
+    }
+    return grain;
+}
+
+/// How much the side's shift has opened the gap [m].
+double Repair::Side::opened(const std::vector<Shift>& shift, const Vec2& normal) const {
+    return grain < 0 ? 0.0 : normal.dot(shift[Grains::at(grain)].way) + arm * shift[Grains::at(grain)].turn;
+}
+
+void Repair::Side::take(std::vector<Shift>& shift, double push) const {
+    if (grain < 0) return;
+    shift[Grains::at(grain)].way += push * way;
+    shift[Grains::at(grain)].turn += push * turn;
+}
+
+/// Sweeps to and fro until one has changed nothing.
+void Repair::solve_island(const Island& island) {
+    const std::size_t count = island.last - island.first;
     for (int s = 0; s < k_sweeps; ++s) {
-        for (std::size_t m = 0; m < rows_.size(); ++m) {
-            Row& row = rows_[s % 2 == 0 ? m : rows_.size() - 1 - m];
-            const GapContact& c = contacts[static_cast<std::size_t>(row.contact)];
-            double gap = c.gap;
-            if (gives_way(c.i)) gap += c.normal.dot(way_[Grains::at(c.i)]) + row.arm_ni * turn_[Grains::at(c.i)];
-            if (gives_way(c.j)) gap -= c.normal.dot(way_[Grains::at(c.j)]) + row.arm_nj * turn_[Grains::at(c.j)];
+        bool changed = false;
+        for (std::size_t m = 0; m < count; ++m) {
+            Row& row = sorted_[s % 2 == 0 ? island.first + m : island.last - 1 - m];
+            const double gap = row.gap + row.i.opened(shift_, row.normal) - row.j.opened(shift_, row.normal);
             const double push = std::max(0.0, row.push + row.mass * (row.aim - gap));
             const double change = push - row.push;
-            row.push = push;
             if (change == 0.0) continue;
-            if (gives_way(c.i)) {
-                way_[Grains::at(c.i)] += bodies[Grains::at(c.i)].inverse_mass * change * c.normal;
-                turn_[Grains::at(c.i)] += bodies[Grains::at(c.i)].inverse_inertia * change * row.arm_ni;
-            }
-            if (gives_way(c.j)) {
-                way_[Grains::at(c.j)] -= bodies[Grains::at(c.j)].inverse_mass * change * c.normal;
-                turn_[Grains::at(c.j)] -= bodies[Grains::at(c.j)].inverse_inertia * change * row.arm_nj;
-            }
+            row.push = push;
+            row.i.take(shift_, change);
+            row.j.take(shift_, -change);
+            changed = true;
         }
+        if (!changed) return;
     }
 }
 
@@ -92,26 +158,22 @@ void Repair::collect_rows(const GapDetection& detection, const std::vector<Solve
     rows_.clear();
     for (const PairContacts& pair : detection.pairs()) {
         if (!gives_way(pair.i) && !gives_way(pair.j)) continue;
-        for (std::int32_t n = pair.first; n < pair.first + pair.count; ++n) add_row(n, detection, bodies, trial);
+        std::for_each(detection.begin_of(pair), detection.end_of(pair),
+                      [&](const GapContact& c) { add_row(c, bodies, trial); });
     }
 }
 
-void Repair::add_row(std::int32_t contact, const GapDetection& detection, const std::vector<SolverBody>& bodies,
-                     const PoseSet& trial) {
-    const GapContact& c = detection.contacts()[static_cast<std::size_t>(contact)];
+void Repair::add_row(const GapContact& c, const std::vector<SolverBody>& bodies, const PoseSet& trial) {
     if (c.gap >= k_near * c.resting) return;
-    Row row{contact, c.gap < k_part * c.resting ? k_part * c.resting : 0.0, 0, 0, 0, 0};
     double inverse = 0.0;
-    if (gives_way(c.i)) {
-        const SolverBody& i = bodies[Grains::at(c.i)];
-        row.arm_ni = cross(Vec2(c.point - trial.centre[Grains::at(c.i)]), c.normal);
-        inverse += i.inverse_mass + i.inverse_inertia * row.arm_ni * row.arm_ni;
-    }
-    if (gives_way(c.j)) {
-        const SolverBody& j = bodies[Grains::at(c.j)];
-        row.arm_nj = cross(Vec2(c.point - trial.centre[Grains::at(c.j)]), c.normal);
-        inverse += j.inverse_mass + j.inverse_inertia * row.arm_nj * row.arm_nj;
-    }
+    const auto side = [&](BodyIndex body) {
+        if (!gives_way(body)) return Side{};
+        const SolverBody& b = bodies[Grains::at(body)];
+        const double arm = cross(Vec2(c.point - trial.centre[Grains::at(body)]), c.normal);
+        inverse += b.inverse_mass + b.inverse_inertia * arm * arm;
+        return Side{body, b.inverse_mass * c.normal, arm, b.inverse_inertia * arm};
+    };
+    Row row{c.normal, c.gap, c.gap < k_part * c.resting ? k_part * c.resting : 0.0, 0.0, 0.0, side(c.i), side(c.j)};
     row.mass = 1.0 / inverse;
     rows_.push_back(row);
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "src/core/parallel.h"
 #include "src/engines/contact/by_grain.h"
 #include "src/engines/contact/gap_detection.h"
 
@@ -12,7 +13,8 @@ namespace polargrain {
 /// What linear gaps cannot foresee (a vertex sliding over a re-entrant corner, a fast turn) leaves a handful of
 /// overlapping pairs in thousands of grains. Rejecting them would reject all that depend on them; moving them a
 /// fraction of the resting gap costs nothing of note. Each pass solves on the actual gaps of the overlapping grains and
-/// of a ring of neighbours that grows from pass to pass, then detects the moved grains again.
+/// of a ring of neighbours that grows from pass to pass, then detects the moved grains again. Grains that are not
+/// connected through others are solved apart, on several threads.
 class Repair {
 public:
     static constexpr int k_passes = 12;
@@ -21,29 +23,58 @@ public:
     static constexpr double k_near = 5.0;  ///< gaps beyond this many resting gaps cannot get in the way
     static constexpr double k_ring = 1.2;  ///< neighbours through contacts nearer than this many resting gaps
 
+    explicit Repair(const Scene& scene);
+
     /// Returns the number of overlapping pairs that are left.
     int run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial);
 
 private:
     void choose_grains(const GapDetection& detection, int rings);
+    void choose(BodyIndex body);
     void solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
     void collect_rows(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
-    void add_row(std::int32_t contact, const GapDetection& detection, const std::vector<SolverBody>& bodies,
-                 const PoseSet& trial);
+    void add_row(const GapContact& c, const std::vector<SolverBody>& bodies, const PoseSet& trial);
+    void part_islands();
+    GrainIndex root_of(GrainIndex grain);
+    void move_chosen(PoseSet& trial);
 
     /// Only chosen grains give way; the others stand like walls.
     bool gives_way(BodyIndex body) const { return !is_wall(body) && chosen_[Grains::at(body)]; }
 
-    struct Row {
-        std::int32_t contact;
-        double aim, arm_ni, arm_nj, mass, push;
+    struct Shift {
+        Vec2 way = Vec2::Zero();
+        double turn = 0.0;
     };
+    /// One contact, as one of its grains sees it.
+    struct Side {
+        BodyIndex grain = -1;  ///< none: it does not give way
+        Vec2 way = Vec2::Zero();
+        double arm = 0.0, turn = 0.0;  ///< what a push of one moves the grain by
+
+        double opened(const std::vector<Shift>& shift, const Vec2& normal) const;
+        void take(std::vector<Shift>& shift, double push) const;
+    };
+    struct Row {
+        Vec2 normal;
+        double gap, aim, mass, push;
+        Side i, j;
+        GrainIndex grain() const { return i.grain >= 0 ? i.grain : j.grain; }
+    };
+    /// Rows that share no grain with those of others.
+    struct Island {
+        std::size_t first, last;
+    };
+    void solve_island(const Island& island);
+
+    Parallel parallel_;
     std::vector<char> chosen_;
-    std::vector<GrainIndex> edge_, next_edge_;  ///< grains chosen last
-    ByGrain by_grain_;                          ///< pairs
-    std::vector<Row> rows_;
-    std::vector<Vec2> way_;
-    std::vector<double> turn_;
+    std::vector<GrainIndex> grains_;  ///< chosen, in rings
+    ByGrain by_grain_;                ///< pairs
+    std::vector<Row> rows_, sorted_;
+    std::vector<GrainIndex> parent_;       ///< towards the grain that stands for the island
+    std::vector<std::int32_t> island_of_;  ///< of such a grain
+    std::vector<Island> islands_;
+    std::vector<Shift> shift_;
 };
 
 }  // namespace polargrain

@@ -52,7 +52,9 @@ void Stillness::remember(const World& world, const std::vector<GapContact>& cont
     for (const std::vector<double>* values : state_of(world.grains)) {
         grains_.insert(grains_.end(), values->begin(), values->end());
     }
-    contacts_ = contacts;
+    // After a step that has moved something the next one is not still: whatever it does, it is looked at once more.
+    watched_ = unmoved_;
+    if (watched_) contacts_ = contacts;
     careful_ = careful;
     opening_left_ = opening_left;
 }
@@ -61,7 +63,7 @@ void Stillness::judge(const Scene& scene, const World& world, const std::vector<
                       double opening_left, double time, double dt, const StepReport& report) {
     dt_ = dt;
     unmoved_ = same_grains(world);
-    still_ = unmoved_ && report.impacts == 0 && report.moves.rejected == 0 && careful == careful_ &&
+    still_ = watched_ && unmoved_ && report.impacts == 0 && report.moves.rejected == 0 && careful == careful_ &&
              opening_left == opening_left_ && walls_stay(scene, time, time + dt) &&
              std::equal(contacts.begin(), contacts.end(), contacts_.begin(), contacts_.end(), same_contact);
     if (still_) report_ = report;

@@ -30,12 +30,13 @@ public:
     bool unmoved() const { return unmoved_; }
 
     /// Forgets: the state has come from elsewhere.
-    void forget() { still_ = false; }
+    void forget() { still_ = unmoved_ = false; }
 
 private:
     bool same_grains(const World& world) const;
 
     bool still_ = false, unmoved_ = false;
+    bool watched_ = false;  ///< the contacts before the step were kept
     double dt_ = 0.0;
     std::vector<double> grains_;  ///< x, y, angle, velocity, spin of all
     std::vector<GapContact> contacts_;

@@ -1,0 +1,112 @@
+#include "src/engines/contact/blow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "src/engines/contact/gap_motion.h"
+#include "src/model/contact_law.h"
+
+namespace polargrain {
+
+void BlowSolver::begin(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
+                       const Halfway& halfway, const ContactLanes& lanes, const ByGrain& by_grain, std::int64_t step) {
+    contacts_ = &contacts;
+    bodies_ = &bodies;
+    halfway_ = &halfway;
+    lanes_ = &lanes;
+    by_grain_ = &by_grain;
+    step_ = step;
+}
+
+/// Both bodies of an impact after it, free or on their feet.
+struct BlowSolver::Answer {
+    Footing i, j;
+    ImpactResult result;
+
+    bool is_consistent() const { return i.is_consistent() && j.is_consistent() && result.friction_loss >= 0.0; }
+};
+
+Blow BlowSolver::solve(std::int32_t struck, double speed) const {
+    const GapContact& c = contact(struck);
+    const double restitution = drawn_restitution(scene_, step_, c.j, c.i);
+    thread_local std::vector<Stance> stances_i, stances_j;
+    stances_i.clear();
+    stances_j.clear();
+    if (!is_wall(c.j)) {
+        find_stances(c.i, speed, stances_i);
+        find_stances(c.j, speed, stances_j);
+    }
+    stances_i.push_back({});
+    stances_j.push_back({});
+    for (const Stance& stance_i : stances_i) {
+        for (const Stance& stance_j : stances_j) {
+            const Answer a = answer(c, restitution, stance_i, stance_j);
+            const bool free = stance_i.free() && stance_j.free();
+            if (free || (a.is_consistent() && !presses_another(a.i, stances_i) && !presses_another(a.j, stances_j))) {
+                return blow(struck, a, restitution, stance_i, stance_j);
+            }
+        }
+    }
+    return {};
+}
+
+void BlowSolver::find_stances(GrainIndex grain, double speed, std::vector<Stance>& stances) const {
+    if (scene_.gravity == Vec2::Zero()) return;  // nothing makes it stand anywhere
+    for (const std::int32_t k : by_grain_->of(grain)) {
+        const GapContact& c = contact(k);
+        if (!is_wall(c.j) || !c.active) continue;
+        if (lanes_->open(static_cast<std::size_t>(k)) > (k_foot_gap - 1.0) * c.resting) continue;
+        const double normal = normal_speed(c, *bodies_);
+        const double tangential = tangent_speed(c, *bodies_);
+        if (std::sqrt(normal * normal + tangential * tangential) > k_foot_speed * speed) continue;
+        for (const Grip grip : {Grip::holds, Grip::slips_back, Grip::slips_ahead}) stances.push_back({k, grip});
+    }
+}
+
+BlowSolver::Answer BlowSolver::answer(const GapContact& c, double restitution, const Stance& stance_i,
+                                      const Stance& stance_j) const {
+    const auto footing = [&](BodyIndex body, const Stance& stance) {
+        if (is_wall(body)) return Footing(c.wall_velocity);
+        const Vec2& centre = halfway_->centre(body);
+        if (stance.free()) return Footing((*bodies_)[at(body)], centre);
+        return Footing((*bodies_)[at(body)], centre, contact(stance.foot), stance.grip);
+    };
+    Answer a{footing(c.i, stance_i), footing(c.j, stance_j), {}};
+    const ContactFrame frame = contact_frame(c.normal, c.point, a.i, a.j);
+    const Vec2 u = a.i.velocity_at(c.point) - a.j.velocity_at(c.point);
+    a.result = solve_impact(frame, {u.dot(frame.tangent()), u.dot(frame.normal)}, c.friction, restitution);
+    const Vec2 p = a.result.normal * c.normal + a.result.tangential * c.tangent();
+    a.i.take(p, c.point);
+    a.j.take(-p, c.point);
+    return a;
+}
+
+/// Would it drive another of the places it stands on into the wall?
+bool BlowSolver::presses_another(const Footing& footing, const std::vector<Stance>& stances) const {
+    if (!footing.stands()) return false;
+    return std::any_of(stances.begin(), stances.end(), [&](const Stance& s) {
+        if (s.free() || &contact(s.foot) == footing.foot()) return false;
+        const GapContact& other = contact(s.foot);
+        return (footing.velocity_at(other.point) - other.wall_velocity).dot(other.normal) < 0.0;
+    });
+}
+
+Blow BlowSolver::blow(std::int32_t struck, const Answer& a, double restitution, const Stance& stance_i,
+                      const Stance& stance_j) const {
+    Blow b;
+    b.restitution_loss = a.result.restitution_loss;
+    b.friction_loss = a.result.friction_loss + a.i.foot_loss() + a.j.foot_loss();
+    const SlipMode mode = a.i.stands() || a.j.stands() ? SlipMode::on_feet : a.result.mode;
+    b.add({struck, a.result.normal, a.result.tangential, restitution, mode});
+    for (const auto& [footing, stance] : {std::pair{&a.i, &stance_i}, std::pair{&a.j, &stance_j}}) {
+        if (stance->free()) continue;
+        const GapContact& foot = contact(stance->foot);
+        const Vec2 p = footing->foot_impulse();
+        b.add({stance->foot, p.dot(foot.normal), p.dot(foot.tangent()),
+               drawn_restitution(scene_, step_, foot.j, foot.i), SlipMode::foot});
+    }
+    return b;
+}
+
+}  // namespace polargrain
