@@ -19,7 +19,10 @@ constexpr double k_dt = 1e-3;
 class Stages {
 public:
     Stages(int grains, int warm_up)
-        : scene_(testing::pour(testing::PourShape::rough, grains, 1, 0.3, 0.2)), detection_(scene_), solver_(scene_) {
+        : scene_(testing::pour(testing::PourShape::rough, grains, 1, 0.3, 0.2)),
+          detection_(scene_),
+          solver_(scene_),
+          correction_(scene_) {
         const auto engine = make_contact(scene_);
         World world = initial_world(scene_);
         StepReport report;
@@ -63,7 +66,8 @@ public:
 
     void correct() {
         PoseSet trial = poses_;
-        correction_.correct(contacts_, bodies_, scene_.gravity, {k_dt, PositionCorrection::k_trigger}, 1.0, trial);
+        correction_.correct(contacts_, bodies_, scene_.gravity, {k_dt, PositionCorrection::k_trigger}, 1.0,
+                            solver_.lanes(), trial);
     }
 
     double sum_energy() const { return total_energy(bodies_, poses_, scene_.gravity, Parallel(1)); }

@@ -9,6 +9,9 @@ namespace polargrain {
 
 namespace {
 
+/// Circles that a thread takes at a time.
+constexpr std::size_t k_run = 512;
+
 std::uint32_t cell_hash(std::int64_t x, std::int64_t y, std::int32_t level) {
     std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL;
     h ^= (static_cast<std::uint64_t>(y) + static_cast<std::uint64_t>(level) * 0x632BE59BD9B4E019ULL) *
@@ -27,7 +30,6 @@ void NeighbourSearch::find_pairs(std::span<const BoundingCircle> circles, std::v
     enter(circles);
     sort_into_buckets();
     // Each circle looks at its own level and at every coarser one, where it meets the larger circles.
-    constexpr std::size_t k_run = 512;
     const auto levels = static_cast<std::int32_t>(level_used_.size());
     found_.resize((entries_.size() + k_run - 1) / k_run);
     parallel_.runs(entries_.size(), k_run, [&](std::size_t first, std::size_t last) {
@@ -57,12 +59,14 @@ void NeighbourSearch::gather(std::size_t circles, std::vector<GrainPair>& pairs)
         }
     }
     // Where the pairs of a grain end is now where those of the next one begin.
-    auto begin = pairs.begin();
-    for (std::size_t a = 0; a < circles; ++a) {
-        const auto end = pairs.begin() + fill_[a];
-        std::sort(begin, end);
-        begin = end;
-    }
+    parallel_.runs(circles, k_run, [&](std::size_t first, std::size_t last) {
+        auto begin = pairs.begin() + (first > 0 ? fill_[first - 1] : 0);
+        for (std::size_t a = first; a < last; ++a) {
+            const auto end = pairs.begin() + fill_[a];
+            std::sort(begin, end);
+            begin = end;
+        }
+    });
 }
 
 // Level l holds radii up to smallest x 2^(l + 1) in cells of twice that: a circle reaches the neighbouring cells of its

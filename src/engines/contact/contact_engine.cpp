@@ -23,6 +23,7 @@ public:
           parallel_(std::max(1, scene.threads)),
           detection_(scene),
           solver_(scene),
+          correction_(scene),
           repair_(scene),
           rejection_(scene) {
         const double g = std::sqrt(scene.gravity.squaredNorm());
@@ -168,7 +169,7 @@ private:
         for (int pass = 0; pass < k_opening_passes && PositionCorrection::needed(contacts_, bodies_, pace); ++pass) {
             solver_.prepare_at_rest(contacts_, bodies_, trial_);
             correction_.correct(contacts_, bodies_, scene_.gravity, pace, std::numeric_limits<double>::infinity(),
-                                trial_);
+                                solver_.lanes(), trial_);
             refresh_trial();
             detect();
         }
@@ -201,7 +202,7 @@ private:
         const double dissipated = std::max(0.0, energy_before + wall_work(report) - energy_at(trial_));
         const double grant = std::min(k_opening * opening_unit_, opening_left_);
         const double lift = correction_.correct(contacts_, bodies_, scene_.gravity, {dt, PositionCorrection::k_still},
-                                                k_spending * dissipated + grant, trial_);
+                                                k_spending * dissipated + grant, solver_.lanes(), trial_);
         report.ledger.correction += lift;
         granted_ = std::max(0.0, lift - dissipated);
         opening_left_ = std::max(0.0, opening_left_ - granted_);

@@ -202,14 +202,10 @@ Vec2 ContactLanes::take(std::size_t contact, GapContact& c) {
 bool ContactLanes::sweep(std::vector<SolverBody>& bodies, double h, double settled, bool backwards) {
     const LaneKernels& kernels = lane_kernels();
     changed_.assign(groups_.size(), 0);
-    for (std::size_t p = 0; p < k_phases; ++p) {
-        const std::vector<std::size_t>& groups = of_phase_[backwards ? k_phases - 1 - p : p];
-        parallel_.each(groups.size(), [&](std::size_t n) {
-            const Group& group = groups_[groups[n]];
-            changed_[groups[n]] =
-                kernels.sweep(blocks_.data(), group.first, group.last, backwards, numbers(bodies), 1.0 / h, settled);
-        });
-    }
+    each_group(backwards, [&](std::size_t g) {
+        changed_[g] = kernels.sweep(blocks_.data(), groups_[g].first, groups_[g].last, backwards, numbers(bodies),
+                                    1.0 / h, settled);
+    });
     return std::any_of(changed_.begin(), changed_.end(), [](char changed) { return changed != 0; });
 }
 
@@ -231,19 +227,16 @@ LaneLosses ContactLanes::move(const std::vector<SolverBody>& bodies, const LaneM
 }
 
 void ContactLanes::mark_pushed(std::vector<char>& pushed) const {
-    for (const std::vector<std::size_t>& groups : of_phase_) {
-        parallel_.each(groups.size(), [&](std::size_t n) {
-            const Group& group = groups_[groups[n]];
-            for (std::ptrdiff_t b = group.first; b < group.last; ++b) {
-                const LaneBlock& of = blocks_[static_cast<std::size_t>(b)];
-                for (int lane = 0; lane < k_lanes; ++lane) {
-                    if (of.normal_impulse.of[lane] == 0.0) continue;
-                    pushed[static_cast<std::size_t>(of.i[lane])] = 1;
-                    pushed[static_cast<std::size_t>(of.j[lane])] = 1;
-                }
+    each_group(false, [&](std::size_t g) {
+        for (std::ptrdiff_t b = groups_[g].first; b < groups_[g].last; ++b) {
+            const LaneBlock& of = blocks_[static_cast<std::size_t>(b)];
+            for (int lane = 0; lane < k_lanes; ++lane) {
+                if (of.normal_impulse.of[lane] == 0.0) continue;
+                pushed[static_cast<std::size_t>(of.i[lane])] = 1;
+                pushed[static_cast<std::size_t>(of.j[lane])] = 1;
             }
-        });
-    }
+        }
+    });
 }
 
 void ContactLanes::find_closing(std::vector<std::int32_t>& closing) const {

@@ -37,6 +37,13 @@ public:
     bool sweep(std::vector<SolverBody>& bodies, double h, double settled, bool backwards);
     LaneLosses move(const std::vector<SolverBody>& bodies, const LaneMove& move);
 
+    /// Contacts are swept in groups. Calls work(group) for each that has contacts, those that share no grain on several
+    /// threads.
+    template <typename Work>
+    void each_group(bool backwards, const Work& work) const;
+    std::size_t groups() const { return groups_.size(); }
+    std::size_t group_of(const GapContact& c) const;
+
     /// Marks the grains that have a contact with an impulse.
     void mark_pushed(std::vector<char>& pushed) const;
 
@@ -72,7 +79,6 @@ private:
     };
 
     void cut_into_strips(std::size_t contacts, const std::vector<Vec2>& centres);
-    std::size_t group_of(const GapContact& c) const;
     void colour(const std::vector<GapContact>& contacts, std::size_t grains);
     void place(const std::vector<GapContact>& contacts);
     void fill(const std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies);
@@ -95,6 +101,14 @@ private:
     std::vector<TravelBlock> travels_;
     std::vector<LaneLosses> losses_;
 };
+
+template <typename Work>
+void ContactLanes::each_group(bool backwards, const Work& work) const {
+    for (std::size_t p = 0; p < k_phases; ++p) {
+        const std::vector<std::size_t>& groups = of_phase_[backwards ? k_phases - 1 - p : p];
+        parallel_.each(groups.size(), [&](std::size_t n) { work(groups[n]); });
+    }
+}
 
 template <typename Visit>
 void ContactLanes::each_left(Visit visit) const {

@@ -281,12 +281,15 @@ void GapDetection::splice(const std::vector<char>& moved) {
     for (PairContacts& pair : patch_.pairs) pair.first += offset;
     found_.contacts.insert(found_.contacts.end(), patch_.contacts.begin(), patch_.contacts.end());
     found_.points.insert(found_.points.end(), patch_.points.begin(), patch_.points.end());
-    std::erase_if(found_.pairs, [&](const PairContacts& pair) {
-        return moved[Grains::at(pair.i)] || (!is_wall(pair.j) && moved[Grains::at(pair.j)]);
-    });
-    const auto middle = static_cast<std::ptrdiff_t>(found_.pairs.size());
-    found_.pairs.insert(found_.pairs.end(), patch_.pairs.begin(), patch_.pairs.end());
-    std::inplace_merge(found_.pairs.begin(), found_.pairs.begin() + middle, found_.pairs.end(), before_pair);
+    merged_pairs_.clear();
+    auto next = patch_.pairs.begin();
+    for (const PairContacts& pair : found_.pairs) {
+        if (moved[Grains::at(pair.i)] || (!is_wall(pair.j) && moved[Grains::at(pair.j)])) continue;
+        while (next != patch_.pairs.end() && before_pair(*next, pair)) merged_pairs_.push_back(*next++);
+        merged_pairs_.push_back(pair);
+    }
+    merged_pairs_.insert(merged_pairs_.end(), next, patch_.pairs.end());
+    found_.pairs.swap(merged_pairs_);
     spliced_ = true;
 }
 

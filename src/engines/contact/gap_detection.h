@@ -116,6 +116,7 @@ private:
     Found found_;
     std::vector<Share> shares_;
     Found patch_;
+    std::vector<PairContacts> merged_pairs_;
     std::vector<GrainPair> affected_pairs_;
     std::vector<GrainIndex> affected_grains_;
     std::size_t in_order_ = 0;  ///< contacts when they were last in order

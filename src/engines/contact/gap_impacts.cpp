@@ -29,8 +29,8 @@ void GapImpacts::begin(const StepInHand& step) {
     by_grain_.index(*step.contacts, grains);
     blow_solver_.begin(*step.contacts, *step.bodies, *step.halfway, *step.lanes, by_grain_, step.step);
     round_ = 0;
-    fastest_.assign(grains, {});
-    looked_.assign(step.contacts->size(), 0);
+    grains_.assign(grains, {});
+    added_.assign(step.contacts->size(), 0);
 }
 
 void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) const {
@@ -44,10 +44,8 @@ void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) const {
 
 void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
     strikes_.clear();
-    candidates_.clear();
     ++round_;
-    for (const std::int32_t k : closing) add_candidate(k);
-    find_strikes(h);
+    find_strikes(closing, h);
     if (strikes_.empty()) return;
     uses_.assign(now_.contacts->size(), 0);
     while (!strikes_.empty()) {
@@ -69,25 +67,36 @@ bool GapImpacts::strikes(std::int32_t contact, double h, double& speed) const {
     return now_.lanes->open(at(contact)) < (speed + pull) * h;
 }
 
-/// Once in a round, however often it is named.
-void GapImpacts::add_candidate(std::int32_t contact) {
-    std::int64_t& looked = looked_[at(contact)];
-    if (looked == round_) return;
-    looked = round_;
-    candidates_.push_back(contact);
-}
-
 /// Adds those of the candidates that strike.
-void GapImpacts::find_strikes(double h) {
-    speed_.resize(candidates_.size());
-    parallel_.runs(candidates_.size(), k_looks_a_run, [&](std::size_t first, std::size_t last) {
+void GapImpacts::find_strikes(const std::vector<std::int32_t>& candidates, double h) {
+    const std::size_t runs = begin_looks(candidates.size(), k_looks_a_run);
+    parallel_.runs(candidates.size(), k_looks_a_run, [&](std::size_t first, std::size_t last) {
+        std::vector<Strike>& found = found_[first / k_looks_a_run];
+        double speed = 0.0;
         for (std::size_t n = first; n < last; ++n) {
-            double speed = 0.0;
-            speed_[n] = strikes(candidates_[n], h, speed) ? speed : 0.0;
+            if (strikes(candidates[n], h, speed)) found.push_back({speed, candidates[n]});
         }
     });
-    for (std::size_t n = 0; n < candidates_.size(); ++n) {
-        if (speed_[n] > 0.0) strikes_.push_back({speed_[n], candidates_[n]});
+    add_strikes(runs);
+}
+
+/// Room for what `count` looks find, in runs of `length`; returns the number of runs.
+std::size_t GapImpacts::begin_looks(std::size_t count, std::size_t length) {
+    const std::size_t runs = (count + length - 1) / length;
+    found_.resize(std::max(found_.size(), runs));
+    for (std::size_t run = 0; run < runs; ++run) found_[run].clear();
+    return runs;
+}
+
+/// What has been found, in order, and each once, however often it was found.
+void GapImpacts::add_strikes(std::size_t runs) {
+    for (std::size_t run = 0; run < runs; ++run) {
+        for (const Strike& strike : found_[run]) {
+            std::int64_t& added = added_[at(strike.contact)];
+            if (added == round_) continue;
+            added = round_;
+            strikes_.push_back(strike);
+        }
     }
 }
 
@@ -97,11 +106,12 @@ void GapImpacts::choose_turns(double h) {
         const GapContact& c = (*now_.contacts)[at(s.contact)];
         for (const BodyIndex body : {c.i, c.j}) {
             if (is_wall(body)) continue;
-            Fastest& fastest = fastest_[at(body)];
-            const bool first = fastest.round != round_;
-            if (first || s.speed > fastest.strike.speed ||
-                (s.speed == fastest.strike.speed && s.contact < fastest.strike.contact)) {
-                fastest = {round_, s};
+            OfGrain& grain = grains_[at(body)];
+            const bool first = grain.round != round_;
+            if (first || s.speed > grain.fastest.speed ||
+                (s.speed == grain.fastest.speed && s.contact < grain.fastest.contact)) {
+                grain.round = round_;
+                grain.fastest = s;
             }
         }
     }
@@ -113,7 +123,7 @@ void GapImpacts::choose_turns(double h) {
 }
 
 bool GapImpacts::is_fastest_of(BodyIndex body, const Strike& strike) const {
-    return is_wall(body) || fastest_[at(body)].strike.contact == strike.contact;
+    return is_wall(body) || grains_[at(body)].fastest.contact == strike.contact;
 }
 
 /// Time until a grain reaches its resting gap from a wall at rest [s], no longer than the sub-step; 0 where others are
@@ -164,6 +174,10 @@ void GapImpacts::strike(std::size_t turn) {
         r.j_after = is_wall(c.j) ? r.j_before : motion_of(bodies[at(c.j)]);
     }
     ++uses_[at(s.contact)];
+    const GapContact& struck = (*now_.contacts)[at(s.contact)];
+    for (const BodyIndex body : {struck.i, struck.j}) {
+        if (!is_wall(body)) grains_[at(body)].struck = round_;
+    }
 }
 
 /// An impact of a grain that nothing else touches on a wall, at the moment at which they meet.
@@ -238,17 +252,27 @@ void GapImpacts::book() {
 
 /// The strikes of the next round: those of grains that have not been struck, and what strikes now among the others.
 void GapImpacts::look_again(double h) {
-    candidates_.clear();
-    for (const Turn& turn : turns_) {
-        const GapContact& c = (*now_.contacts)[at(turn.strike.contact)];
-        for (const BodyIndex body : {c.i, c.j}) {
-            if (is_wall(body)) continue;
-            for (const std::int32_t k : by_grain_.of(body)) add_candidate(k);
+    std::erase_if(strikes_, [&](const Strike& s) {
+        const GapContact& c = (*now_.contacts)[at(s.contact)];
+        return is_struck(c.i) || is_struck(c.j);
+    });
+    const std::size_t runs = begin_looks(turns_.size(), k_impacts_a_run);
+    parallel_.runs(turns_.size(), k_impacts_a_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t n = first; n < last; ++n) look_about(turns_[n], h, found_[first / k_impacts_a_run]);
+    });
+    add_strikes(runs);
+}
+
+/// What strikes now of the contacts of both grains.
+void GapImpacts::look_about(const Turn& turn, double h, std::vector<Strike>& found) const {
+    const GapContact& c = (*now_.contacts)[at(turn.strike.contact)];
+    for (const BodyIndex body : {c.i, c.j}) {
+        if (is_wall(body)) continue;
+        double speed = 0.0;
+        for (const std::int32_t k : by_grain_.of(body)) {
+            if (uses_[at(k)] < k_most_impacts && strikes(k, h, speed)) found.push_back({speed, k});
         }
     }
-    std::erase_if(strikes_, [&](const Strike& s) { return looked_[at(s.contact)] == round_; });
-    std::erase_if(candidates_, [&](std::int32_t k) { return uses_[at(k)] >= k_most_impacts; });
-    find_strikes(h);
 }
 
 }  // namespace polargrain

@@ -64,17 +64,23 @@ private:
         Strike strike;
         double flight;
     };
-    /// The fastest strike of a grain in a round.
-    struct Fastest {
+    /// What happens to a grain: its fastest strike of a round, and the last round in which it was struck.
+    struct OfGrain {
         std::int64_t round = 0;
-        Strike strike{};
+        Strike fastest{};
+        std::int64_t struck = 0;
     };
 
     bool strikes(std::int32_t contact, double h, double& speed) const;
-    void add_candidate(std::int32_t contact);
-    void find_strikes(double h);
+    void find_strikes(const std::vector<std::int32_t>& candidates, double h);
+    void look_about(const Turn& turn, double h, std::vector<Strike>& found) const;
+    std::size_t begin_looks(std::size_t count, std::size_t length);
+    void add_strikes(std::size_t runs);
     void choose_turns(double h);
     bool is_fastest_of(BodyIndex body, const Strike& strike) const;
+    bool is_struck(BodyIndex body) const {
+        return !is_wall(body) && grains_[static_cast<std::size_t>(body)].struck == round_;
+    }
     void strike_all();
     void strike_in_flight(std::size_t turn);
     void strike(std::size_t turn);
@@ -92,10 +98,9 @@ private:
     std::int64_t round_ = 0;
     std::vector<Strike> strikes_;
     std::vector<Turn> turns_;
-    std::vector<Fastest> fastest_;      ///< of a grain
-    std::vector<std::int64_t> looked_;  ///< per contact: the last round in which it was a candidate
-    std::vector<std::int32_t> candidates_;
-    std::vector<double> speed_;  ///< of these; 0 where they do not strike
+    std::vector<OfGrain> grains_;
+    std::vector<std::int64_t> added_;         ///< per contact: the last round that it was added to
+    std::vector<std::vector<Strike>> found_;  ///< by runs of what is looked at
     std::vector<std::int32_t> uses_;
     std::vector<Blow> blows_;  ///< of the turns
     std::vector<ImpactRecord> records_;

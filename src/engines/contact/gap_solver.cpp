@@ -57,6 +57,8 @@ void GapSolver::prepare_at_rest(std::vector<GapContact>& contacts, const std::ve
     start_ = &poses;
     halfway_.find(poses, bodies, 0.0);
     prepare(contacts, bodies);
+    bodies_ = bodies;
+    lanes_.lay_out(contacts, poses.centre, bodies_);
 }
 
 void GapSolver::prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const {

@@ -47,7 +47,10 @@ public:
     void advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
                  PoseSet& trial, std::int64_t step, double time, double dt, const Effort& effort, StepReport& report);
 
-    /// Lever arms and effective masses for poses that stand still.
+    /// The groups in which the contacts are swept.
+    const ContactLanes& lanes() const { return lanes_; }
+
+    /// Lays the contacts out for poses that stand still.
     void prepare_at_rest(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
                          const PoseSet& poses);
 

@@ -22,15 +22,14 @@ bool PositionCorrection::too_near(const GapContact& c, const std::vector<SolverB
 }
 
 double PositionCorrection::correct(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                                   const Vec2& gravity, const Pace& pace, double budget, PoseSet& trial) {
+                                   const Vec2& gravity, const Pace& pace, double budget, const ContactLanes& lanes,
+                                   PoseSet& trial) {
     if (budget <= 0.0 || !needed(contacts, bodies, pace)) return 0.0;
-    collect_rows(contacts, bodies, pace);
+    collect_rows(contacts, bodies, pace, lanes);
     shift_.assign(bodies.size(), Shift{});
     for (int s = 0; s < k_sweeps; ++s) {
-        for (std::size_t m = 0; m < rows_.size(); ++m) {
-            Row& row = rows_[s % 2 == 0 ? m : rows_.size() - 1 - m];
-            open(row, contacts[static_cast<std::size_t>(row.contact)], bodies);
-        }
+        const bool backwards = s % 2 != 0;
+        lanes.each_group(backwards, [&](std::size_t group) { relax(group, backwards); });
     }
     double lift = 0.0;
     for (std::size_t k = 0; k < bodies.size(); ++k) lift -= gravity.dot(shift_[k].way) / bodies[k].inverse_mass;
@@ -43,34 +42,36 @@ double PositionCorrection::correct(const std::vector<GapContact>& contacts, cons
 }
 
 void PositionCorrection::collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                                      const Pace& pace) {
-    rows_.clear();
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        const GapContact& c = contacts[k];
-        if (!c.active || c.gap >= k_look * c.resting) continue;
-        const double aim =
-            too_near(c, bodies, pace) ? c.gap + k_part * (c.resting - c.gap) : std::min(c.gap, k_trigger * c.resting);
-        rows_.push_back({static_cast<std::int32_t>(k), aim, 0.0});
+                                      const Pace& pace, const ContactLanes& lanes) {
+    const auto takes_part = [](const GapContact& c) { return c.active && c.gap < k_look * c.resting; };
+    end_.assign(lanes.groups() + 1, 0);
+    for (const GapContact& c : contacts) {
+        if (takes_part(c)) ++end_[lanes.group_of(c) + 1];
     }
+    for (std::size_t g = 1; g < end_.size(); ++g) end_[g] += end_[g - 1];
+    in_order_.resize(end_.back());
+    // As each group is filled, where it begins becomes where it ends.
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (takes_part(contacts[k])) in_order_[end_[lanes.group_of(contacts[k])]++] = static_cast<std::int32_t>(k);
+    }
+    rows_.resize(in_order_.size());
+    parallel_.runs(rows_.size(), k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t n = first; n < last; ++n) {
+            const GapContact& c = contacts[static_cast<std::size_t>(in_order_[n])];
+            const double aim = too_near(c, bodies, pace) ? c.gap + k_part * (c.resting - c.gap)
+                                                         : std::min(c.gap, k_trigger * c.resting);
+            const OpeningSide i = OpeningSide::of(c.i, bodies[Grains::at(c.i)], c.normal, c.arm_ni);
+            const OpeningSide j =
+                is_wall(c.j) ? OpeningSide{} : OpeningSide::of(c.j, bodies[Grains::at(c.j)], c.normal, c.arm_nj);
+            rows_[n] = {c.normal, c.gap, aim, c.mass_n, 0.0, i, j};
+        }
+    });
 }
 
-void PositionCorrection::open(Row& row, const GapContact& c, const std::vector<SolverBody>& bodies) {
-    Shift& i = shift_[Grains::at(c.i)];
-    double gap = c.gap + c.normal.dot(i.way) + c.arm_ni * i.turn;
-    if (!is_wall(c.j)) {
-        const Shift& j = shift_[Grains::at(c.j)];
-        gap -= c.normal.dot(j.way) + c.arm_nj * j.turn;
-    }
-    const double push = std::max(0.0, row.push + c.mass_n * (row.aim - gap));
-    const double change = push - row.push;
-    row.push = push;
-    if (change == 0.0) return;
-    i.way += bodies[Grains::at(c.i)].inverse_mass * change * c.normal;
-    i.turn += bodies[Grains::at(c.i)].inverse_inertia * change * c.arm_ni;
-    if (is_wall(c.j)) return;
-    Shift& j = shift_[Grains::at(c.j)];
-    j.way -= bodies[Grains::at(c.j)].inverse_mass * change * c.normal;
-    j.turn -= bodies[Grains::at(c.j)].inverse_inertia * change * c.arm_nj;
+void PositionCorrection::relax(std::size_t group, bool backwards) {
+    const std::size_t first = group > 0 ? end_[group - 1] : 0;
+    const std::size_t last = end_[group];
+    for (std::size_t m = 0; m < last - first; ++m) rows_[backwards ? last - 1 - m : first + m].relax(shift_);
 }
 
 }  // namespace polargrain

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
+#include "src/core/parallel.h"
+#include "src/engines/contact/contact_lanes.h"
 #include "src/engines/contact/gap_contact.h"
 #include "src/engines/contact/gap_detection.h"
+#include "src/engines/contact/gap_opening.h"
 
 namespace polargrain {
 
@@ -34,28 +38,26 @@ public:
     static bool needed(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
                        const Pace& pace);
 
-    /// budget [J/m] >= 0. Returns the potential energy added [J/m].
+    explicit PositionCorrection(const Scene& scene) : parallel_(std::max(1, scene.threads)) {}
+
+    /// `lanes`: the groups that the contacts are taken in, each in the order in which they were found: from below it
+    /// carries farther in a pass than an order in colours. budget [J/m] >= 0. Returns the potential energy added [J/m].
     double correct(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Vec2& gravity,
-                   const Pace& pace, double budget, PoseSet& trial);
+                   const Pace& pace, double budget, const ContactLanes& lanes, PoseSet& trial);
 
 private:
+    static constexpr std::size_t k_run = 1024;  ///< grains or contacts that a thread takes at a time
+
     static bool too_near(const GapContact& c, const std::vector<SolverBody>& bodies, const Pace& pace);
+    void collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Pace& pace,
+                      const ContactLanes& lanes);
+    void relax(std::size_t group, bool backwards);
 
-    struct Shift {
-        Vec2 way = Vec2::Zero();
-        double turn = 0.0;
-    };
-    struct Row {
-        std::int32_t contact;
-        double aim;   ///< gap to be opened to, or not to be closed beyond [m]
-        double push;  ///< [kg], impulse of displacement per metre of depth
-    };
-
-    void collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Pace& pace);
-    void open(Row& row, const GapContact& c, const std::vector<SolverBody>& bodies);
-
+    Parallel parallel_;
+    std::vector<std::int32_t> in_order_;  ///< contacts that take part, by groups
+    std::vector<std::size_t> end_;        ///< of the rows of a group
+    std::vector<GapOpening> rows_;
     std::vector<Shift> shift_;
-    std::vector<Row> rows_;
 };
 
 }  // namespace polargrain

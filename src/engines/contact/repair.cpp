@@ -4,6 +4,13 @@
 
 namespace polargrain {
 
+namespace {
+
+/// A grain of the row that gives way.
+GrainIndex grain_of(const GapOpening& row) { return row.i.grain >= 0 ? row.i.grain : row.j.grain; }
+
+}  // namespace
+
 Repair::Repair(const Scene& scene)
     : parallel_(std::max(1, scene.threads)),
       chosen_(static_cast<std::size_t>(scene.grains.size()), 0),
@@ -86,7 +93,7 @@ void Repair::solve(const GapDetection& detection, const std::vector<SolverBody>&
 /// Rows by island, in each in the order in which they were collected.
 void Repair::part_islands() {
     for (const GrainIndex grain : grains_) parent_[Grains::at(grain)] = grain;
-    for (const Row& row : rows_) {
+    for (const GapOpening& row : rows_) {
         if (row.i.grain < 0 || row.j.grain < 0) continue;
         const GrainIndex p = root_of(row.i.grain);
         const GrainIndex q = root_of(row.j.grain);
@@ -94,8 +101,8 @@ void Repair::part_islands() {
     }
     for (const GrainIndex grain : grains_) island_of_[Grains::at(grain)] = -1;
     islands_.clear();
-    for (const Row& row : rows_) {
-        std::int32_t& island = island_of_[Grains::at(root_of(row.grain()))];
+    for (const GapOpening& row : rows_) {
+        std::int32_t& island = island_of_[Grains::at(root_of(grain_of(row)))];
         if (island < 0) {
             island = static_cast<std::int32_t>(islands_.size());
             islands_.push_back({0, 0});
@@ -109,8 +116,8 @@ void Repair::part_islands() {
         end += size;
     }
     sorted_.resize(rows_.size());
-    for (const Row& row : rows_) {
-        Island& island = islands_[static_cast<std::size_t>(island_of_[Grains::at(root_of(row.grain()))])];
+    for (const GapOpening& row : rows_) {
+        Island& island = islands_[static_cast<std::size_t>(island_of_[Grains::at(root_of(grain_of(row)))])];
         sorted_[island.last++] = row;
     }
 }
@@ -123,32 +130,13 @@ GrainIndex Repair::root_of(GrainIndex grain) {
     return grain;
 }
 
-/// How much the side's shift has opened the gap [m].
-double Repair::Side::opened(const std::vector<Shift>& shift, const Vec2& normal) const {
-    return grain < 0 ? 0.0 : normal.dot(shift[Grains::at(grain)].way) + arm * shift[Grains::at(grain)].turn;
-}
-
-void Repair::Side::take(std::vector<Shift>& shift, double push) const {
-    if (grain < 0) return;
-    shift[Grains::at(grain)].way += push * way;
-    shift[Grains::at(grain)].turn += push * turn;
-}
-
 /// Sweeps to and fro until one has changed nothing.
 void Repair::solve_island(const Island& island) {
     const std::size_t count = island.last - island.first;
     for (int s = 0; s < k_sweeps; ++s) {
         bool changed = false;
         for (std::size_t m = 0; m < count; ++m) {
-            Row& row = sorted_[s % 2 == 0 ? island.first + m : island.last - 1 - m];
-            const double gap = row.gap + row.i.opened(shift_, row.normal) - row.j.opened(shift_, row.normal);
-            const double push = std::max(0.0, row.push + row.mass * (row.aim - gap));
-            const double change = push - row.push;
-            if (change == 0.0) continue;
-            row.push = push;
-            row.i.take(shift_, change);
-            row.j.take(shift_, -change);
-            changed = true;
+            changed |= sorted_[s % 2 == 0 ? island.first + m : island.last - 1 - m].relax(shift_);
         }
         if (!changed) return;
     }
@@ -167,13 +155,14 @@ void Repair::add_row(const GapContact& c, const std::vector<SolverBody>& bodies,
     if (c.gap >= k_near * c.resting) return;
     double inverse = 0.0;
     const auto side = [&](BodyIndex body) {
-        if (!gives_way(body)) return Side{};
+        if (!gives_way(body)) return OpeningSide{};
         const SolverBody& b = bodies[Grains::at(body)];
         const double arm = cross(Vec2(c.point - trial.centre[Grains::at(body)]), c.normal);
         inverse += b.inverse_mass + b.inverse_inertia * arm * arm;
-        return Side{body, b.inverse_mass * c.normal, arm, b.inverse_inertia * arm};
+        return OpeningSide::of(body, b, c.normal, arm);
     };
-    Row row{c.normal, c.gap, c.gap < k_part * c.resting ? k_part * c.resting : 0.0, 0.0, 0.0, side(c.i), side(c.j)};
+    GapOpening row{c.normal,  c.gap,    c.gap < k_part * c.resting ? k_part * c.resting : 0.0, 0.0, 0.0,
+                   side(c.i), side(c.j)};
     row.mass = 1.0 / inverse;
     rows_.push_back(row);
 }

@@ -5,6 +5,7 @@
 #include "src/core/parallel.h"
 #include "src/engines/contact/by_grain.h"
 #include "src/engines/contact/gap_detection.h"
+#include "src/engines/contact/gap_opening.h"
 
 namespace polargrain {
 
@@ -41,25 +42,6 @@ private:
     /// Only chosen grains give way; the others stand like walls.
     bool gives_way(BodyIndex body) const { return !is_wall(body) && chosen_[Grains::at(body)]; }
 
-    struct Shift {
-        Vec2 way = Vec2::Zero();
-        double turn = 0.0;
-    };
-    /// One contact, as one of its grains sees it.
-    struct Side {
-        BodyIndex grain = -1;  ///< none: it does not give way
-        Vec2 way = Vec2::Zero();
-        double arm = 0.0, turn = 0.0;  ///< what a push of one moves the grain by
-
-        double opened(const std::vector<Shift>& shift, const Vec2& normal) const;
-        void take(std::vector<Shift>& shift, double push) const;
-    };
-    struct Row {
-        Vec2 normal;
-        double gap, aim, mass, push;
-        Side i, j;
-        GrainIndex grain() const { return i.grain >= 0 ? i.grain : j.grain; }
-    };
     /// Rows that share no grain with those of others.
     struct Island {
         std::size_t first, last;
@@ -70,7 +52,7 @@ private:
     std::vector<char> chosen_;
     std::vector<GrainIndex> grains_;  ///< chosen, in rings
     ByGrain by_grain_;                ///< pairs
-    std::vector<Row> rows_, sorted_;
+    std::vector<GapOpening> rows_, sorted_;
     std::vector<GrainIndex> parent_;       ///< towards the grain that stands for the island
     std::vector<std::int32_t> island_of_;  ///< of such a grain
     std::vector<Island> islands_;
