@@ -64,24 +64,33 @@ void ContactLanes::cut_into_strips(std::size_t contacts, const std::vector<Vec2>
 }
 
 /// Groups are numbered: strips, borders after each strip but the last, and one for what spans more.
-std::size_t ContactLanes::group_of(const GapContact& c) const {
+std::size_t ContactLanes::choose_group(const GapContact& c) {
     const std::int32_t i = strip_[Grains::at(c.i)];
     const std::int32_t j = is_wall(c.j) ? i : strip_[Grains::at(c.j)];
     if (i == j) return static_cast<std::size_t>(i);
-    return std::abs(i - j) == 1 ? strips_ + static_cast<std::size_t>(std::min(i, j)) : 2 * strips_ - 1;
+    const auto border = static_cast<std::int32_t>(strips_) + std::min(i, j);
+    std::int32_t& of_i = border_[Grains::at(c.i)];
+    std::int32_t& of_j = border_[Grains::at(c.j)];
+    const auto can_be = [border](std::int32_t of) { return of < 0 || of == border; };
+    if (std::abs(i - j) > 1 || !can_be(of_i) || !can_be(of_j)) return 2 * strips_ - 1;
+    of_i = of_j = border;
+    return static_cast<std::size_t>(border);
 }
 
 /// The lowest colour that neither grain has yet in the group.
 void ContactLanes::colour(const std::vector<GapContact>& contacts, std::size_t grains) {
     groups_.clear();
     for (std::size_t g = 0; g < strips_; ++g) groups_.push_back({k_within, 0, 0});
-    for (std::size_t g = 0; g + 1 < strips_; ++g) groups_.push_back({g % 2 == 0 ? k_even_border : k_odd_border, 0, 0});
+    for (std::size_t g = 0; g + 1 < strips_; ++g) groups_.push_back({k_border, 0, 0});
     groups_.push_back({k_far, 0, 0});
     taken_.assign(k_phases * grains, 0);
     size_of_.assign(groups_.size() * (k_colours + 1), 0);
     colour_.clear();
+    group_.clear();
+    border_.assign(strip_.size(), -1);
     for (const GapContact& c : contacts) {
-        const std::size_t group = group_of(c);
+        const std::size_t group = choose_group(c);
+        group_.push_back(static_cast<std::int32_t>(group));
         std::uint64_t* taken = taken_.data() + groups_[group].phase * grains;
         std::uint64_t wall = 0;
         std::uint64_t& of_i = taken[Grains::at(c.i)];
@@ -115,7 +124,7 @@ void ContactLanes::place(const std::vector<GapContact>& contacts) {
     }
     place_.resize(contacts.size());
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        std::int32_t& next = size_of_[group_of(contacts[k]) * (k_colours + 1) + static_cast<std::size_t>(colour_[k])];
+        std::int32_t& next = size_of_[group_of(k) * (k_colours + 1) + static_cast<std::size_t>(colour_[k])];
         place_[k] = static_cast<std::uint32_t>(next);
         next += colour_[k] < k_colours ? 1 : k_lanes;
     }

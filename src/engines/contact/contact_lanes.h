@@ -12,11 +12,12 @@ namespace polargrain {
 
 /// The contacts of a step in blocks of eight that share no grain, for the solver's loops over all of them.
 ///
-/// Large beds are cut into strips. A strip's own contacts touch nobody in another strip; those across a border come
-/// after them, first the even borders, then the odd ones, and what spans more than two strips last. Threads take whole
-/// strips or borders, which also keeps what they work on in their caches. Within each, contacts get colours, so that
-/// two of one grain have different ones, in the order in which they were found; blocks are filled colour by colour. So
-/// the order of a sweep follows from the contacts alone, and any number of threads gives the same bits.
+/// Large beds are cut into strips. A strip's own contacts touch nobody in another strip; those across borders come
+/// after them. Contacts that span more than two strips, or of a grain with contacts across both borders, come last.
+/// Threads take whole strips or borders, which also keeps what they work on in their caches. Within each, contacts get
+/// colours, so that two of one grain have different ones, in the order in which they were found; blocks are filled
+/// colour by colour. So the order of a sweep follows from the contacts alone, and any number of threads gives the same
+/// bits.
 ///
 /// What changes within the step (open gap, impulses, travel) stands here, everything else of a contact in GapContact.
 class ContactLanes {
@@ -42,7 +43,7 @@ public:
     template <typename Work>
     void each_group(bool backwards, const Work& work) const;
     std::size_t groups() const { return groups_.size(); }
-    std::size_t group_of(const GapContact& c) const;
+    std::size_t group_of(std::size_t contact) const { return static_cast<std::size_t>(group_[contact]); }
 
     /// Marks the grains that have a contact with an impulse.
     void mark_pushed(std::vector<char>& pushed) const;
@@ -71,13 +72,14 @@ public:
     }
 
 private:
-    enum Phase : std::uint8_t { k_within, k_even_border, k_odd_border, k_far, k_phases };
+    enum Phase : std::uint8_t { k_within, k_border, k_far, k_phases };
     /// Contacts that one thread takes: their blocks, one after the other.
     struct Group {
         Phase phase;
         std::ptrdiff_t first, last;
     };
 
+    std::size_t choose_group(const GapContact& c);
     void cut_into_strips(std::size_t contacts, const std::vector<Vec2>& centres);
     void colour(const std::vector<GapContact>& contacts, std::size_t grains);
     void place(const std::vector<GapContact>& contacts);
@@ -90,6 +92,8 @@ private:
     double widest_ = 0.0;  ///< largest diameter of a grain [m]
     std::size_t strips_ = 1;
     std::vector<std::int32_t> strip_;    ///< of a grain
+    std::vector<std::int32_t> border_;   ///< of a grain: the group across a border that it belongs to; -1: none yet
+    std::vector<std::int32_t> group_;    ///< of a contact
     std::vector<std::uint64_t> taken_;   ///< per phase and grain: the colours of its contacts
     std::vector<std::int32_t> colour_;   ///< of a contact
     std::vector<std::int32_t> size_of_;  ///< per group and colour: contacts, then where the next one goes

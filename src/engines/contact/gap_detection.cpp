@@ -132,13 +132,25 @@ void GapDetection::Found::clear() {
     points.clear();
 }
 
-void GapDetection::Found::append(const Found& more) {
-    const auto first = static_cast<std::int32_t>(contacts.size());
-    contacts.insert(contacts.end(), more.contacts.begin(), more.contacts.end());
-    points.insert(points.end(), more.points.begin(), more.points.end());
-    for (PairContacts pair : more.pairs) {
-        pair.first += first;
-        pairs.push_back(pair);
+void GapDetection::Found::swap(Found& other) {
+    contacts.swap(other.contacts);
+    pairs.swap(other.pairs);
+    points.swap(other.points);
+}
+
+void GapDetection::Found::resize(std::size_t contact_count, std::size_t pair_count) {
+    contacts.resize(contact_count);
+    points.resize(contact_count);
+    pairs.resize(pair_count);
+}
+
+void GapDetection::Found::put(const Found& more, std::size_t first_contact, std::size_t first_pair) {
+    std::copy(more.contacts.begin(), more.contacts.end(),
+              contacts.begin() + static_cast<std::ptrdiff_t>(first_contact));
+    std::copy(more.points.begin(), more.points.end(), points.begin() + static_cast<std::ptrdiff_t>(first_contact));
+    for (const PairContacts& pair : more.pairs) {
+        pairs[first_pair] = pair;
+        pairs[first_pair++].first += static_cast<std::int32_t>(first_contact);
     }
 }
 
@@ -269,9 +281,27 @@ void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const
             }
         }
     });
-    patch_.clear();
-    for (std::size_t s = 0; s < pair_runs + grain_runs; ++s) patch_.append(shares_[s].found);
+    gather(pair_runs + grain_runs, patch_);
     splice(moved);
+}
+
+/// What so many shares have found, one after the other. A single one is taken as it is.
+void GapDetection::gather(std::size_t shares, Found& all) {
+    if (shares == 1) {
+        all.swap(shares_.front().found);
+        return;
+    }
+    std::size_t contacts = 0;
+    std::size_t pairs = 0;
+    for (std::size_t s = 0; s < shares; ++s) {
+        shares_[s].first_contact = contacts;
+        shares_[s].first_pair = pairs;
+        contacts += shares_[s].found.contacts.size();
+        pairs += shares_[s].found.pairs.size();
+    }
+    all.resize(contacts, pairs);
+    parallel_.each(shares,
+                   [&](std::size_t s) { all.put(shares_[s].found, shares_[s].first_contact, shares_[s].first_pair); });
 }
 
 /// Puts the pairs of the patch in place of those of moved grains. Contacts of pairs that stay keep their places; the
@@ -330,7 +360,7 @@ void GapDetection::hand_over(std::vector<PairContacts>& pairs, std::vector<GapCo
 /// Threads take runs of the pairs, and of the grains with their walls; one after the other their finds are in order.
 void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     constexpr std::size_t k_pairs_a_run = 300;
-    constexpr std::size_t k_runs_a_thread = 4;  // so that one that takes longer holds up the others less
+    constexpr std::size_t k_runs_a_thread = 8;  // so that one that takes longer holds up the others less
     const std::span<const GrainPair> pairs = list_.pairs();
     const auto threads = static_cast<std::size_t>(parallel_.threads());
     const std::size_t runs =
@@ -343,23 +373,27 @@ void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     handed_over_ = false;
     last_points_.swap(found_.points);
     shares_.resize(std::max(shares_.size(), 2 * runs));
-    parallel_.each(2 * runs, [&](std::size_t n) {
-        const std::size_t part = n / 2;
-        const bool of_pairs = n % 2 == 0;
-        Share& share = shares_[of_pairs ? part : runs + part];
-        share.found.clear();
-        if (of_pairs) {
-            const std::size_t first = pairs.size() * part / runs;
-            detect_pairs(share, pairs.subspan(first, pairs.size() * (part + 1) / runs - first), now);
-        } else {
-            detect_walls(share, static_cast<GrainIndex>(grains * part / runs),
-                         static_cast<GrainIndex>(grains * (part + 1) / runs), before, now);
-        }
-    });
-    found_.contacts.swap(shares_[0].found.contacts);
-    found_.pairs.swap(shares_[0].found.pairs);
-    found_.points.swap(shares_[0].found.points);
-    for (std::size_t s = 1; s < 2 * runs; ++s) found_.append(shares_[s].found);
+    const auto find_pairs = [&](Share& share, std::size_t part) {
+        const std::size_t first = pairs.size() * part / runs;
+        detect_pairs(share, pairs.subspan(first, pairs.size() * (part + 1) / runs - first), now);
+    };
+    const auto find_walls = [&](Share& share, std::size_t part) {
+        detect_walls(share, static_cast<GrainIndex>(grains * part / runs),
+                     static_cast<GrainIndex>(grains * (part + 1) / runs), before, now);
+    };
+    if (runs == 1) {
+        shares_[0].found.clear();
+        find_pairs(shares_[0], 0);
+        find_walls(shares_[0], 0);
+        gather(1, found_);
+    } else {
+        parallel_.each(2 * runs, [&](std::size_t n) {
+            Share& share = shares_[n];
+            share.found.clear();
+            n < runs ? find_pairs(share, n) : find_walls(share, n - runs);
+        });
+        gather(2 * runs, found_);
+    }
     in_order_ = found_.contacts.size();
     seen_ = now.pose;
     seen_pieces_ = pieces_.size();

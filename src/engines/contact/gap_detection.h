@@ -78,18 +78,23 @@ private:
         std::vector<GapPoint> points;
 
         void clear();
-        void append(const Found& more);
+        void swap(Found& other);
+        void resize(std::size_t contact_count, std::size_t pair_count);
+        /// Copies more into the places from the given ones on.
+        void put(const Found& more, std::size_t first_contact, std::size_t first_pair);
     };
     /// What a thread works on: a run of pairs, or of grains with walls.
     struct Share {
         Found found;
         std::vector<GapPoint> scratch;
-        std::size_t cursor = 0;  ///< in the last detection's pairs
+        std::size_t cursor = 0;                         ///< in the last detection's pairs
+        std::size_t first_contact = 0, first_pair = 0;  ///< where its finds go
     };
 
     void detect_all(const PoseSet& before, const PoseSet& now);
     void detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& now) const;
     void detect_walls(Share& share, GrainIndex first, GrainIndex last, const PoseSet& before, const PoseSet& now) const;
+    void gather(std::size_t shares, Found& all);
     void splice(const std::vector<char>& moved);
     void put_in_order();
     void match(const std::vector<PairContacts>& old_pairs, std::vector<GapContact>& old_contacts);

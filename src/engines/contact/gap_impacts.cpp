@@ -12,8 +12,8 @@ namespace polargrain {
 namespace {
 
 /// Impacts, and contacts to be looked at, that a thread takes at a time.
-constexpr std::size_t k_impacts_a_run = 64;
-constexpr std::size_t k_looks_a_run = 512;
+constexpr std::size_t k_impacts_a_run = 32;
+constexpr std::size_t k_looks_a_run = 256;
 
 Motion motion_of(const SolverBody& body) { return {body.velocity, body.spin}; }
 

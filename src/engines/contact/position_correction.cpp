@@ -45,14 +45,14 @@ void PositionCorrection::collect_rows(const std::vector<GapContact>& contacts, c
                                       const Pace& pace, const ContactLanes& lanes) {
     const auto takes_part = [](const GapContact& c) { return c.active && c.gap < k_look * c.resting; };
     end_.assign(lanes.groups() + 1, 0);
-    for (const GapContact& c : contacts) {
-        if (takes_part(c)) ++end_[lanes.group_of(c) + 1];
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (takes_part(contacts[k])) ++end_[lanes.group_of(k) + 1];
     }
     for (std::size_t g = 1; g < end_.size(); ++g) end_[g] += end_[g - 1];
     in_order_.resize(end_.back());
     // As each group is filled, where it begins becomes where it ends.
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (takes_part(contacts[k])) in_order_[end_[lanes.group_of(contacts[k])]++] = static_cast<std::int32_t>(k);
+        if (takes_part(contacts[k])) in_order_[end_[lanes.group_of(k)]++] = static_cast<std::int32_t>(k);
     }
     rows_.resize(in_order_.size());
     parallel_.runs(rows_.size(), k_run, [&](std::size_t first, std::size_t last) {
