@@ -327,24 +327,24 @@ void GapDetection::splice(const std::vector<char>& moved) {
 void GapDetection::put_in_order() {
     if (!spliced_) return;
     spliced_ = false;
-    Found& ordered = patch_;
-    ordered.pairs = found_.pairs;
+    ordered_.pairs = found_.pairs;
     std::int32_t end = 0;
-    for (PairContacts& pair : ordered.pairs) {
+    for (PairContacts& pair : ordered_.pairs) {
         pair.first = end;
         end += pair.count;
     }
-    ordered.contacts.resize(static_cast<std::size_t>(end));
-    ordered.points.resize(static_cast<std::size_t>(end));
-    parallel_.runs(ordered.pairs.size(), k_run, [&](std::size_t first, std::size_t last) {
+    ordered_.contacts.resize(static_cast<std::size_t>(end));
+    ordered_.points.resize(static_cast<std::size_t>(end));
+    parallel_.runs(ordered_.pairs.size(), k_run, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            const PairContacts& pair = ordered.pairs[k];
+            const PairContacts& pair = ordered_.pairs[k];
             std::copy_n(found_.contacts.begin() + found_.pairs[k].first, pair.count,
-                        ordered.contacts.begin() + pair.first);
-            std::copy_n(found_.points.begin() + found_.pairs[k].first, pair.count, ordered.points.begin() + pair.first);
+                        ordered_.contacts.begin() + pair.first);
+            std::copy_n(found_.points.begin() + found_.pairs[k].first, pair.count,
+                        ordered_.points.begin() + pair.first);
         }
     });
-    std::swap(found_, ordered);
+    found_.swap(ordered_);
     in_order_ = found_.contacts.size();
 }
 

@@ -120,7 +120,8 @@ private:
     double gravity_way_ = 0.0;  ///< 2 g dt^2
     Found found_;
     std::vector<Share> shares_;
-    Found patch_;
+    Found ordered_;  ///< to put contacts in order in
+    Found patch_;    ///< what has been detected again
     std::vector<PairContacts> merged_pairs_;
     std::vector<GrainPair> affected_pairs_;
     std::vector<GrainIndex> affected_grains_;

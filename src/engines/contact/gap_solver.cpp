@@ -146,12 +146,6 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Effor
     if (resting) stop();
     pushed_.assign(bodies_.size(), 0);
     lanes_.mark_pushed(pushed_);
-    parallel_.runs(grains_, k_run, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            if (!pushed_[k]) continue;
-            push_[k] = {bodies_[k].velocity - (velocity_before_[k] + kick), bodies_[k].spin - spin_before_[k]};
-        }
-    });
 }
 
 /// Does the first guess hold every grain in its place? Then it is the solution, and the bed stays still to the last bit
@@ -173,27 +167,29 @@ void GapSolver::stop() {
     }
 }
 
-/// Slows the grains that lasting contacts push, where the sub-step would otherwise create energy because the sweeps
-/// have not converged.
+/// Notes what lasting contacts have given each grain, and slows these grains where the sub-step would otherwise create
+/// energy because the sweeps have not converged.
 ///
 /// Slower by the factor f, they have f^2 of their kinetic energy and take f of their way against gravity, so some f
 /// always keeps the energy from rising; and as no target asks for parting, gaps among slowed grains and to walls at
 /// rest are kept. While a moving wall pushes, nothing is slowed: grains would be overrun.
 void GapSolver::keep_energy(const std::vector<GapContact>& contacts, double h) {
-    for (const std::size_t k : moving_) {
-        if (lanes_.normal_impulse(k) > 0.0 && contacts[k].wall_velocity != Vec2::Zero()) return;
-    }
+    const Vec2 kick = h * scene_.gravity;
     const auto [before, after, fall] = parallel_.sum(grains_, k_run, [&](std::size_t first, std::size_t last) {
         Balance sum;
         for (std::size_t k = first; k < last; ++k) {
             if (!pushed_[k]) continue;
             const SolverBody& body = bodies_[k];
+            push_[k] = {body.velocity - (velocity_before_[k] + kick), body.spin - spin_before_[k]};
             const SolverBody earlier{velocity_before_[k], spin_before_[k], body.inverse_mass, body.inverse_inertia};
             sum += {kinetic_energy(earlier), kinetic_energy(body),
                     h * scene_.gravity.dot(body.velocity) / body.inverse_mass};
         }
         return sum;
     });
+    for (const std::size_t k : moving_) {
+        if (lanes_.normal_impulse(k) > 0.0 && contacts[k].wall_velocity != Vec2::Zero()) return;
+    }
     if (after - fall <= before) return;
     // The larger root of after f^2 - fall f - before = 0, in the form that loses no digits.
     const double root = std::sqrt(fall * fall + 4.0 * after * before);
