@@ -72,8 +72,9 @@ TEST_P(SoftPour, PacksFiveHundredDisksAsSoftSpheresDo) {
 // Three other soft-sphere programs: 0.870 and 1.012 to 1.024 without friction, 0.82 to 0.85 and 1.049 to 1.082 with
 // 0.3. Equal disks crystallise more or less: one pour differs from another by a hundredth.
 INSTANTIATE_TEST_SUITE_P(Frictions, SoftPour,
-                         ::testing::Values(Packing{0.0, 0.85, 0.88, 1.005, 1.03},
-                                           Packing{0.3, 0.81, 0.85, 1.049, 1.082}));
+                         ::testing::Values(Packing{0.0, 0.86, 0.88, 1.012, 1.024},
+                                           Packing{0.3, 0.82, 0.85, 1.049, 1.082}),
+                         [](const auto& c) { return c.param.friction > 0.0 ? "with_friction" : "without_friction"; });
 
 }  // namespace
 }  // namespace polargrain
