@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/reader.h"
 #include "src/engines/contact/contact_engine.h"
 #include "tests/support/running.h"
 #include "tests/support/scenes.h"
@@ -66,6 +67,31 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Pour,
                                            PourCase{"sticks", PourShape::stick, 200, 0.2, 0.0, 1e-6, 1e-9},
                                            PourCase{"mixed", PourShape::mixed, 300, 0.2, 0.0, 1e-6, 1e-9}),
                          [](const auto& c) { return c.param.name; });
+
+/// Rows of disks that fill the box exactly leave no room for resting gaps.
+TEST(FullRows, OfSmoothDisksDoNotHalveTheirStepsForEverNorGainEnergy) {
+    for (const std::uint64_t seed : {2, 5}) {
+        ScenarioOverrides overrides;
+        overrides.seed = seed;
+        Running sim(make_contact, load_scenario(find_scenario("pour-500-disks"), overrides).scene);
+        const double dt = 1e-3;
+        sim.run(1.3, dt);
+        const std::int64_t tried = sim.moves.tried;
+        const std::int64_t step = sim.world.step;
+        sim.run(1.5, dt);
+        const auto parts =
+            static_cast<double>(sim.moves.tried - tried) / 500.0 / static_cast<double>(sim.world.step - step);
+        fmt::print(
+            "seed {}: rejected {:.4f} % (< 0.1), rises {:.2g} E0 (< 1e-9), created {:.2g} E0, parts of a step at "
+            "rest {:.2f} (1)\n",
+            seed, 100.0 * sim.rejected_share(), sim.ledger.rises / sim.start_energy,
+            sim.ledger.created / sim.start_energy, parts);
+        EXPECT_EQ(testing::count_overlaps(sim.scene, sim.world.grains, sim.world.time, 1e-9), 0);
+        EXPECT_LT(sim.rejected_share(), 1e-3);
+        EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
+        EXPECT_EQ(parts, 1.0);
+    }
+}
 
 class Outline : public ::testing::TestWithParam<std::string> {};
 

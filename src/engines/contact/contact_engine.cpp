@@ -79,8 +79,10 @@ private:
         repair(report);
         if (overlapping_ > 0 && halvings < k_most_halvings) {
             take_back(report);
+            scale_guesses(0.5);
             advance(step, time, 0.5 * dt, halvings + 1, report);
             advance(step, time + 0.5 * dt, 0.5 * dt, halvings + 1, report);
+            scale_guesses(2.0);
             return;
         }
         reject(report);
@@ -131,6 +133,15 @@ private:
         report.impacts = impacts_remembered_;
         report.impact_records.resize(records_remembered_);
         opening_left_ = opening_remembered_;
+    }
+
+    /// First guesses are impulses of a sub-step: of the same force, a shorter one takes less. A bed that had halved its
+    /// steps once would otherwise begin each full step with a fraction of its forces, sink, overlap, and halve again.
+    void scale_guesses(double factor) {
+        for (GapContact& c : contacts_) {
+            c.normal_impulse *= factor;
+            c.tangent_impulse *= factor;
+        }
     }
 
     const GapSolver::Effort& effort() const {

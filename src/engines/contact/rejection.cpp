@@ -1,10 +1,8 @@
 #include "src/engines/contact/rejection.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "src/detect/overlap.h"
-#include "src/engines/contact/energy_guard.h"
 
 namespace polargrain {
 
@@ -23,13 +21,8 @@ int Rejection::run(GapDetection& detection, const PoseSet& before, PoseSet& tria
             any = true;
             rejected_[k] = 1;
             SolverBody& body = bodies[k];
-            const double unrealised = scene_.gravity.dot(trial.centre[k] - before.centre[k]) / body.inverse_mass;
-            const double kinetic = kinetic_energy(body);
-            if (unrealised > 0.0 && kinetic > 0.0) {
-                const double scale = std::sqrt(std::max(0.0, 1.0 - unrealised / kinetic));
-                body.velocity *= scale;
-                body.spin *= scale;
-            }
+            body.velocity = Vec2::Zero();
+            body.spin = 0.0;
             body.touched = true;
             trial.centre[k] = before.centre[k];
             trial.angle[k] = before.angle[k];

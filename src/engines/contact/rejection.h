@@ -10,8 +10,8 @@ namespace polargrain {
 /// The guarantee: grains whose trial poses still overlap stay where they were, by the rule of 1994.
 ///
 /// Of each overlapping pair the grain with fewer dependants stays, with all that depend on it; grains that overlap a
-/// wall stay first [HN94, Fig. 8]. The dependency graph is only built when something overlaps. A grain that stays has
-/// its kinetic energy cut by the gravity work that its velocity already holds but its pose has not done.
+/// wall stay first [HN94, Fig. 8]. The dependency graph is only built when something overlaps. A grain that stays is
+/// stopped: with the velocity that it could not follow, it would press on its neighbours, and be rejected, again.
 class Rejection {
 public:
     static constexpr int k_rounds = 5;
