@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -115,37 +116,52 @@ Scene rough_bed(std::uint64_t seed, double opening) {
     return scene;
 }
 
-/// Emptyings of the same beds at one time step; mean and standard error over those that neither jam nor reject.
+struct MeanOfMany {
+    double mean = 0.0;
+    double error = 0.0;  ///< standard error
+
+    explicit MeanOfMany(const std::vector<double>& values) {
+        const auto n = static_cast<double>(values.size());
+        mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+        double square = 0.0;
+        for (const double v : values) square += (v - mean) * (v - mean);
+        error = std::sqrt(square / (n - 1.0) / n);
+    }
+};
+
+/// Emptyings of the same beds at one time step, bed by bed [grains/s]; 0 where the bed jams.
 struct Emptyings {
     std::vector<double> rates;
-    int jammed = 0;
     int rejecting = 0;
 
     void add(double rate, double rejected_share) {
-        if (rejected_share > 1e-3) {
-            ++rejecting;
-        } else if (rate == 0.0) {
-            ++jammed;
-        } else {
-            rates.push_back(rate);
-        }
+        rates.push_back(rate);
+        if (rejected_share > 1e-3) ++rejecting;
     }
-    double mean() const { return std::accumulate(rates.begin(), rates.end(), 0.0) / static_cast<double>(rates.size()); }
-    double error() const {
-        double square = 0.0;
-        for (const double r : rates) square += (r - mean()) * (r - mean());
-        const auto n = static_cast<double>(rates.size());
-        return std::sqrt(square / (n - 1.0) / n);
+    auto jammed() const { return std::count(rates.begin(), rates.end(), 0.0); }
+    MeanOfMany flowing() const {
+        std::vector<double> all;
+        std::copy_if(rates.begin(), rates.end(), std::back_inserter(all), [](double r) { return r > 0.0; });
+        return MeanOfMany(all);
+    }
+    /// Of the same beds, where neither jams.
+    MeanOfMany less(const Emptyings& other) const {
+        std::vector<double> differences;
+        for (std::size_t bed = 0; bed < rates.size(); ++bed) {
+            if (rates[bed] > 0.0 && other.rates[bed] > 0.0) differences.push_back(rates[bed] - other.rates[bed]);
+        }
+        return MeanOfMany(differences);
     }
 };
 
 TEST(RoughDischarge, DoesNotDependOnTheTimeStep) {
-    // The aim is 2 % or the standard error of the difference, whichever is larger (two of them here, so that chance
-    // does not fail it); 12 beds, each emptied at all steps.
-    // Measured 314.8 +- 5.7, 330.5 +- 6.2 and 320.8 +- 4.3 grains/s at 1, 0.5 and 0.25 ms.
+    // The aim is 2 % or the standard error of the difference, whichever is larger. Rates of one bed at two steps differ
+    // by 7 %, as each goes its own way after some tenths of a second: only with 48 beds is that error (1 %) well below
+    // 2 %; of four sets of 12 beds, one differs by 3.5 % between two steps, another by 0.8 %.
+    // Measured 322.7 +- 2.5, 319.9 +- 2.5 and 322.3 +- 2.3 grains/s at 1, 0.5 and 0.25 ms.
     const std::vector<double> steps = {1e-3, 5e-4, 2.5e-4};
     std::vector<Emptyings> emptyings(steps.size());
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < 48; ++seed) {
         const Scene bed = rough_bed(seed, 8.0 * 0.02);
         for (std::size_t k = 0; k < steps.size(); ++k) {
             const double dt = steps[k];
@@ -158,17 +174,19 @@ TEST(RoughDischarge, DoesNotDependOnTheTimeStep) {
     }
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const Emptyings& e = emptyings[k];
-        fmt::print("dt {}: {:.1f} +- {:.1f} grains/s; {} jammed, {} rejecting\n", steps[k], e.mean(), e.error(),
-                   e.jammed, e.rejecting);
-        EXPECT_LE(e.jammed, 1);
+        const MeanOfMany rate = e.flowing();
+        fmt::print("dt {}: {:.1f} +- {:.1f} grains/s; {} jammed, {} rejecting\n", steps[k], rate.mean, rate.error,
+                   e.jammed(), e.rejecting);
+        EXPECT_LE(e.jammed(), 1);
         EXPECT_EQ(e.rejecting, 0);
-        ASSERT_GE(e.rates.size(), 8U);
     }
     for (std::size_t k = 0; k < steps.size(); ++k) {
-        const Emptyings& one = emptyings[k];
-        const Emptyings& other = emptyings[(k + 1) % steps.size()];
-        const double noise = std::hypot(one.error(), other.error());
-        EXPECT_LT(std::abs(one.mean() - other.mean()), std::max(0.02 * one.mean(), 2.0 * noise));
+        const std::size_t next = (k + 1) % steps.size();
+        const MeanOfMany difference = emptyings[k].less(emptyings[next]);
+        const double rate = emptyings[k].flowing().mean;
+        fmt::print("dt {} less dt {}: {:+.2f} +- {:.2f} %\n", steps[k], steps[next], 100.0 * difference.mean / rate,
+                   100.0 * difference.error / rate);
+        EXPECT_LT(std::abs(difference.mean), std::max(0.02 * rate, difference.error));
     }
 }
 
