@@ -360,7 +360,7 @@ void GapDetection::hand_over(std::vector<PairContacts>& pairs, std::vector<GapCo
 /// Threads take runs of the pairs, and of the grains with their walls; one after the other their finds are in order.
 void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     constexpr std::size_t k_pairs_a_run = 300;
-    constexpr std::size_t k_runs_a_thread = 8;  // so that one that takes longer holds up the others less
+    constexpr std::size_t k_runs_a_thread = 16;  // so that one that takes longer holds up the others less
     const std::span<const GrainPair> pairs = list_.pairs();
     const auto threads = static_cast<std::size_t>(parallel_.threads());
     const std::size_t runs =

@@ -143,9 +143,18 @@ void Repair::solve_island(const Island& island) {
 }
 
 void Repair::collect_rows(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial) {
+    // Each pair once: with i where it gives way, else with j.
+    chosen_pairs_.clear();
+    for (const GrainIndex grain : grains_) {
+        for (const std::int32_t n : by_grain_.of(grain)) {
+            const PairContacts& pair = detection.pairs()[static_cast<std::size_t>(n)];
+            if (pair.i == grain || !gives_way(pair.i)) chosen_pairs_.push_back(n);
+        }
+    }
+    std::sort(chosen_pairs_.begin(), chosen_pairs_.end());
     rows_.clear();
-    for (const PairContacts& pair : detection.pairs()) {
-        if (!gives_way(pair.i) && !gives_way(pair.j)) continue;
+    for (const std::int32_t n : chosen_pairs_) {
+        const PairContacts& pair = detection.pairs()[static_cast<std::size_t>(n)];
         std::for_each(detection.begin_of(pair), detection.end_of(pair),
                       [&](const GapContact& c) { add_row(c, bodies, trial); });
     }

@@ -52,6 +52,7 @@ private:
     std::vector<char> chosen_;
     std::vector<GrainIndex> grains_;  ///< chosen, in rings
     ByGrain by_grain_;                ///< pairs
+    std::vector<std::int32_t> chosen_pairs_;
     std::vector<GapOpening> rows_, sorted_;
     std::vector<GrainIndex> parent_;       ///< towards the grain that stands for the island
     std::vector<std::int32_t> island_of_;  ///< of such a grain
