@@ -283,18 +283,19 @@ struct OverPiece {
 };
 
 /// Side of the piece (+1 left, -1 right) that a point belongs to (the left, where a moving wall has run over the
-/// grain), and whether it has gone through since `before`.
+/// grain), and whether it has gone through since `before`. A point that was on the line, but for round-off, belongs to
+/// the side of the grain's centre, home_side.
 struct Side {
     double sign;
     bool through;
 };
 
-Side side_of(const OverPiece& now, const OverPiece& before, double home_side, bool overrun) {
+Side side_of(const OverPiece& now, const OverPiece& before, double home_side, double radius, bool overrun) {
     if (overrun) return {1.0, now.height < 0.0};
-    const double was = before.height != 0.0 ? before.height : home_side;
+    const double was = std::abs(before.height) > k_touch_tolerance * radius ? before.height : home_side;
     if ((was > 0.0) == (now.height > 0.0) || now.height == 0.0) return {now.height == 0.0 ? was : now.height, false};
     // The signs differ: it went through the piece, or round one of its ends.
-    const double part = before.height / (before.height - now.height);
+    const double part = std::clamp(before.height / (before.height - now.height), 0.0, 1.0);
     const double station = before.station + part * (now.station - before.station);
     const bool through = station >= 0.0 && station <= now.length;
     return {through ? was : now.height, through};
@@ -318,7 +319,8 @@ void wall_vertex_points(const PolarPolygon& grain, const Pose& pose, const Pose&
         const Vec2 p = pose.to_world(grain.vertex(k));
         const OverPiece now(piece.now, p);
         if (!now.within() || std::abs(now.height) > rules.margin + grain.outer_radius()) continue;
-        const Side side = side_of(now, OverPiece(piece.before, pose_before.to_world(grain.vertex(k))), home, overrun);
+        const Side side = side_of(now, OverPiece(piece.before, pose_before.to_world(grain.vertex(k))), home,
+                                  grain.outer_radius(), overrun);
         const double gap = side.through ? -std::abs(now.height) : std::abs(now.height);
         if (gap > rules.margin) continue;
         const Vec2 normal = side.sign > 0.0 ? now.left : Vec2(-now.left);
@@ -371,7 +373,7 @@ void wall_points(const Disk& disk, const Pose& pose, const Pose& pose_before, co
         if (gap <= rules.margin) points.push_back({at, normal, gap, -k_unbounded, k_unbounded, -1, which, true});
     };
     if (now.within()) {
-        const Side side = side_of(now, OverPiece(piece.before, pose_before.centre), 1.0, overrun);
+        const Side side = side_of(now, OverPiece(piece.before, pose_before.centre), 1.0, disk.radius(), overrun);
         const Vec2 normal = side.sign > 0.0 ? now.left : Vec2(-now.left);
         const double height = side.through ? -std::abs(now.height) : std::abs(now.height);
         add(pose.centre - height * normal, normal, height - disk.radius(), 0);

@@ -38,5 +38,25 @@ TEST(GapPoints, OfALeaningDominoIsItsTipOnTheFaceNotTheNextOnesCornerOnItsExtend
     }
 }
 
+TEST(GapPoints, OfAGrainThatTouchedAWallStayOnItsSide) {
+    // Touching, but for round-off, its lower corners may have been a hair behind the wall.
+    const Shape box = make_shape("box", RectangleSpec{0.02, 0.02, 4}, 1);
+    GapPiece floor;
+    floor.now = floor.before = {{-1.0, 0.0}, {1.0, 0.0}};
+    for (const double was : {-5e-12, -1e-13, 0.0, 1e-13}) {
+        for (const double is : {-1e-13, 0.0, 7e-6}) {
+            const Pose before = Pose::at(Vec2(0.0, 0.01 + was), 0.0);
+            const Pose now = Pose::at(Vec2(0.0, 0.01 + is), 0.0);
+            std::vector<GapPoint> points;
+            find_gap_points(box, now, before, floor, {2e-3, 2e-5}, points);
+            ASSERT_EQ(points.size(), 2U) << "from " << was << " to " << is;
+            for (const GapPoint& p : points) {
+                EXPECT_NEAR(p.normal.y(), 1.0, 1e-12) << "from " << was << " to " << is;
+                EXPECT_NEAR(p.gap, is, 1e-15);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace polargrain

@@ -24,9 +24,10 @@ struct PourCase {
     PourShape shape;
     int grains;
     double friction;
-    double dt;            ///< 0: what the engine suggests
-    double force_error;   ///< of the floor force, relative: aim 1e-6
-    double restlessness;  ///< after 2 s: aim 1e-9
+    double dt;                ///< 0: what the engine suggests
+    double force_error;       ///< of the floor force, relative: aim 1e-6
+    double restlessness;      ///< after 2 s: aim 1e-9
+    double weighed_at = 2.0;  ///< [s]
 };
 
 std::ostream& operator<<(std::ostream& out, const PourCase& c) { return out << c.name; }
@@ -44,24 +45,26 @@ TEST_P(Pour, NothingOverlapsTheLedgerClosesAndTheBedRestsWithItsWeightOnTheFloor
             overlaps += testing::count_overlaps(sim.scene, sim.world.grains, sim.world.time, 1e-9);
         }
     });
+    const double restlessness = sim.restlessness(k_diameter);
+    sim.run(c.weighed_at, dt);
     const double floor_force = -sim.wall_force(0, dt).y() / sim.weight();
     fmt::print("seed {} dt {:.3g}: overlaps {} (0), rejected {:.5f} % (< 0.1), rises {:.2g} E0 (< 1e-9), ", seed, dt,
                overlaps, 100.0 * sim.rejected_share(), sim.ledger.rises / sim.start_energy);
-    fmt::print("KE {:.2g} m g d (< 1e-9), floor force / weight - 1 {:.2g} (< 1e-6)\n", sim.restlessness(k_diameter),
-               floor_force - 1.0);
+    fmt::print("KE {:.2g} m g d (< 1e-9), floor force / weight - 1 {:.2g} (< 1e-6)\n", restlessness, floor_force - 1.0);
     EXPECT_GT(sim.impacts, 1000) << "they must have met";
     EXPECT_EQ(overlaps, 0);
     EXPECT_LT(sim.rejected_share(), 1e-3);
     EXPECT_LT(sim.ledger_error, 1e-12 * sim.start_energy);
     EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
-    EXPECT_LT(sim.restlessness(k_diameter), c.restlessness);
+    EXPECT_LT(restlessness, c.restlessness);
     EXPECT_NEAR(floor_force, 1.0, c.force_error);
 }
 
-// Frictionless crystals spread their load slowly; the floor force is off by 2e-5 after two seconds.
+// Frictionless crystals spread their load slowly, most of all where a row fills the box and leans against its walls:
+// the grains are at rest long before the last of the weight has found its way to the floor.
 INSTANTIATE_TEST_SUITE_P(Shapes, Pour,
                          ::testing::Values(PourCase{"rough", PourShape::rough, 500, 0.2, 1e-3, 1e-6, 1e-9},
-                                           PourCase{"smooth_disks", PourShape::disk, 500, 0.0, 0.0, 1e-3, 1e-9},
+                                           PourCase{"smooth_disks", PourShape::disk, 500, 0.0, 0.0, 1e-3, 1e-9, 4.0},
                                            PourCase{"disks", PourShape::disk, 500, 0.3, 1e-3, 1e-6, 1e-9},
                                            PourCase{"stars", PourShape::star, 200, 0.2, 0.0, 1e-6, 1e-9},
                                            PourCase{"sticks", PourShape::stick, 200, 0.2, 0.0, 1e-6, 1e-9},

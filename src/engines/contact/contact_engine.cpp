@@ -45,7 +45,6 @@ public:
             advance(world.step, world.time, dt, 0, report);
             give_state(world, report);
             stillness_.judge(scene_, world, contacts_, careful_, opening_left_, world.time, dt, report);
-            unmoved_ = stillness_.unmoved();
         }
         ++world.step;
         world.time = static_cast<double>(world.step) * dt;
@@ -61,7 +60,7 @@ private:
     static constexpr int k_opening_passes = 60;
     static constexpr int k_careful_steps = 10;
     static constexpr double k_careful_share = 0.01;
-    static constexpr int k_most_halvings = 3;
+    static constexpr int k_most_halvings = static_cast<int>(GapSolver::k_part_of_step.size());
     static constexpr std::size_t k_run = 1024;  ///< grains or contacts that a thread takes at a time
 
     /// One step, or a part of one: where repair leaves an overlap, everything is taken back and done again in two
@@ -72,7 +71,7 @@ private:
         const double energy_before = energy_at(before_);
         granted_ = 0.0;
         trial_ = before_;
-        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(), report);
+        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(halvings), report);
         correct_positions(energy_before, dt, report);
         refresh_trial();
         detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
@@ -144,9 +143,10 @@ private:
         }
     }
 
-    const GapSolver::Effort& effort() const {
+    const GapSolver::Effort& effort(int halvings) const {
+        if (halvings > 0) return GapSolver::k_part_of_step[static_cast<std::size_t>(halvings - 1)];
         if (careful_ > 0) return GapSolver::k_careful;
-        return unmoved_ ? GapSolver::k_unmoved : GapSolver::k_usual;
+        return at_rest_ ? GapSolver::k_at_rest : GapSolver::k_usual;
     }
 
     void take_state(const World& world) {
@@ -162,6 +162,9 @@ private:
                 before_.angle[k] = world.grains.angle[k];
                 before_.refresh(k);
             }
+        });
+        at_rest_ = std::all_of(bodies_.begin(), bodies_.end(), [](const SolverBody& body) {
+            return body.velocity == Vec2::Zero() && body.spin == 0.0;
         });
     }
 
@@ -304,7 +307,7 @@ private:
     std::vector<PairContacts> pairs_;
     bool detected_ = false;
     int careful_ = 0;
-    bool unmoved_ = false;
+    bool at_rest_ = false;       ///< no grain had any velocity when the step began
     double granted_ = 0.0;       ///< energy that this step's correction may add without paying [J/m]
     double repair_lift_ = 0.0;   ///< energy that this step's repair has added [J/m]
     double opening_unit_ = 0.0;  ///< lifts every grain by its resting gap [J/m]
@@ -337,7 +340,7 @@ void ContactEngine::save(Checkpoint& checkpoint) const {
                                    c.tangent_impulse, c.low, c.high});
     }
     for (const PairContacts& p : pairs_) pairs.insert(pairs.end(), {p.i, p.j, p.piece, p.first, p.count});
-    checkpoint.put("contact/state", std::vector<std::int64_t>{detected_ ? 1 : 0, careful_, unmoved_ ? 1 : 0});
+    checkpoint.put("contact/state", std::vector<std::int64_t>{detected_ ? 1 : 0, careful_});
     checkpoint.put("contact/opening", std::vector<double>{opening_left_});
     checkpoint.put("contact/integers", std::move(integers));
     checkpoint.put("contact/reals", std::move(reals));
@@ -352,7 +355,6 @@ void ContactEngine::load(const Checkpoint& checkpoint) {
     const auto& pairs = checkpoint.integers("contact/pairs");
     detected_ = state.at(0) != 0;
     careful_ = static_cast<int>(state.at(1));
-    unmoved_ = state.at(2) != 0;
     stillness_.forget();
     contacts_.clear();
     pairs_.clear();

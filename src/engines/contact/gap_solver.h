@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -35,7 +36,11 @@ public:
     };
     static constexpr Effort k_usual{4, 1e-3};
     static constexpr Effort k_careful{8, 1e-3};   ///< where many grains overlap
-    static constexpr Effort k_unmoved{8, 1e-10};  ///< where the last step has moved nothing: the forces alone are left
+    static constexpr Effort k_at_rest{8, 1e-10};  ///< where nothing moves: the forces alone are left to find
+
+    /// Parts of a step that has failed, a half, a quarter, an eighth: rows that fill a box and other toggle joints have
+    /// forces many times those on them, which take many sweeps to build up.
+    static constexpr std::array<Effort, 3> k_part_of_step{{{8, 1e-8}, {64, 1e-8}, {512, 1e-8}}};
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
 

@@ -26,9 +26,6 @@ public:
     void judge(const Scene& scene, const World& world, const std::vector<GapContact>& contacts, int careful,
                double opening_left, double time, double dt, const StepReport& report);
 
-    /// Has the step judged last left every grain where it was, and as fast? (Impulses may still settle.)
-    bool unmoved() const { return unmoved_; }
-
     /// Forgets: the state has come from elsewhere.
     void forget() { still_ = unmoved_ = false; }
 
