@@ -60,7 +60,7 @@ private:
     static constexpr int k_opening_passes = 60;
     static constexpr int k_careful_steps = 10;
     static constexpr double k_careful_share = 0.01;
-    static constexpr int k_most_halvings = static_cast<int>(GapSolver::k_part_of_step.size());
+    static constexpr int k_most_halvings = 3;
     static constexpr std::size_t k_run = 1024;  ///< grains or contacts that a thread takes at a time
 
     /// One step, or a part of one: where repair leaves an overlap, everything is taken back and done again in two
@@ -71,7 +71,7 @@ private:
         const double energy_before = energy_at(before_);
         granted_ = 0.0;
         trial_ = before_;
-        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(halvings), report);
+        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(), report);
         correct_positions(energy_before, dt, report);
         refresh_trial();
         detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
@@ -143,8 +143,7 @@ private:
         }
     }
 
-    const GapSolver::Effort& effort(int halvings) const {
-        if (halvings > 0) return GapSolver::k_part_of_step[static_cast<std::size_t>(halvings - 1)];
+    const GapSolver::Effort& effort() const {
         if (careful_ > 0) return GapSolver::k_careful;
         return at_rest_ ? GapSolver::k_at_rest : GapSolver::k_usual;
     }

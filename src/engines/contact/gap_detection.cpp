@@ -261,21 +261,21 @@ void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const
         affected_grains_.push_back(static_cast<GrainIndex>(k));
     }
     // Runs of a fixed length, those of the pairs first.
-    constexpr std::size_t k_run = 100;
-    const std::size_t pair_runs = (affected_pairs_.size() + k_run - 1) / k_run;
-    const std::size_t grain_runs = (affected_grains_.size() + k_run - 1) / k_run;
+    constexpr std::size_t k_affected_a_run = 100;
+    const std::size_t pair_runs = (affected_pairs_.size() + k_affected_a_run - 1) / k_affected_a_run;
+    const std::size_t grain_runs = (affected_grains_.size() + k_affected_a_run - 1) / k_affected_a_run;
     shares_.resize(std::max(shares_.size(), pair_runs + grain_runs));
     parallel_.each(pair_runs + grain_runs, [&](std::size_t s) {
         Share& share = shares_[s];
         share.found.clear();
-        const std::size_t first = k_run * (s < pair_runs ? s : s - pair_runs);
+        const std::size_t first = k_affected_a_run * (s < pair_runs ? s : s - pair_runs);
         if (s < pair_runs) {
-            for (std::size_t n = first; n < std::min(first + k_run, affected_pairs_.size()); ++n) {
+            for (std::size_t n = first; n < std::min(first + k_affected_a_run, affected_pairs_.size()); ++n) {
                 detect_pair(share, now, affected_pairs_[n].first, affected_pairs_[n].second);
             }
             return;
         }
-        for (std::size_t n = first; n < std::min(first + k_run, affected_grains_.size()); ++n) {
+        for (std::size_t n = first; n < std::min(first + k_affected_a_run, affected_grains_.size()); ++n) {
             for (std::size_t p = 0; p < pieces_.size(); ++p) {
                 detect_wall(share, before, now, affected_grains_[n], static_cast<std::int32_t>(p));
             }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -37,10 +36,6 @@ public:
     static constexpr Effort k_usual{4, 1e-3};
     static constexpr Effort k_careful{8, 1e-3};   ///< where many grains overlap
     static constexpr Effort k_at_rest{8, 1e-10};  ///< where nothing moves: the forces alone are left to find
-
-    /// Parts of a step that has failed, a half, a quarter, an eighth: rows that fill a box and other toggle joints have
-    /// forces many times those on them, which take many sweeps to build up.
-    static constexpr std::array<Effort, 3> k_part_of_step{{{8, 1e-8}, {64, 1e-8}, {512, 1e-8}}};
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "src/engines/dem/integrators.h"
@@ -104,7 +105,7 @@ private:
             for (std::size_t k = 0; k < at_work_.size(); ++k) at_work_[k] += kick * state_.a[k];
             account_rates(system_, state_.x, at_work_, weight, report);
         }
-        for (auto kept = kept_.rbegin(); kept != kept_.rend(); ++kept) state_.v[kept->first] = kept->second;
+        for (const auto& [index, value] : std::views::reverse(kept_)) state_.v[index] = value;
     }
 
     /// A share of what SoftSystem::balance_work did to the velocities, until they are put back from `kept_`.

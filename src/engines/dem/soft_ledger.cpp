@@ -19,14 +19,14 @@ void account_wall(int wall, const Motion& motion, const Vec2& point, const Vec2&
 void account_rates(SoftSystem& system, std::span<const double> x, std::span<const double> v, double weight,
                    StepReport& report) {
     for (SoftContact& c : system.contacts()) {
-        const Motion motion = system.wall_motion(c.a);
-        const Vec2 relative = system.relative_velocity(c, motion, x, v);
+        const Motion wall = system.wall_motion(c.a);
+        const Vec2 relative = SoftSystem::relative_velocity(c, wall, x, v);
         report.ledger.restitution_loss -= weight * (c.normal_force - c.elastic_normal) * relative.dot(c.normal);
         report.ledger.friction_loss -= weight * c.sliding_force * relative.dot(left_normal(c.normal));
         const Vec2 impulse = weight * c.force();
         c.impulse += impulse;
         if (!is_wall(c.a)) continue;
-        account_wall(wall_index(c.a), motion, c.point, impulse, report);
+        account_wall(wall_index(c.a), wall, c.point, impulse, report);
     }
 }
 
