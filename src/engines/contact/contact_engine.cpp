@@ -61,6 +61,7 @@ private:
     static constexpr int k_careful_steps = 10;
     static constexpr double k_careful_share = 0.01;
     static constexpr int k_most_halvings = 3;
+    static constexpr double k_settling = 12.0;  ///< times the speed of the slowest impact: a bed below it is slow
     static constexpr std::size_t k_run = 1024;  ///< grains or contacts that a thread takes at a time
 
     /// One step, or a part of one: where repair leaves an overlap, everything is taken back and done again in two
@@ -78,10 +79,11 @@ private:
         repair(report);
         if (overlapping_ > 0 && halvings < k_most_halvings) {
             take_back(report);
-            scale_guesses(0.5);
+            const double part = settling(dt) ? 0.5 : 1.0;
+            scale_guesses(part);
             advance(step, time, 0.5 * dt, halvings + 1, report);
             advance(step, time + 0.5 * dt, 0.5 * dt, halvings + 1, report);
-            scale_guesses(2.0);
+            scale_guesses(1.0 / part);
             return;
         }
         reject(report);
@@ -134,8 +136,21 @@ private:
         opening_left_ = opening_remembered_;
     }
 
-    /// First guesses are impulses of a sub-step: of the same force, a shorter one takes less. A bed that had halved its
-    /// steps once would otherwise begin each full step with a fraction of its forces, sink, overlap, and halve again.
+    /// Is the bed slow, in the mean? Then its forces last from step to step.
+    bool settling(double dt) const {
+        const double slow = k_settling * GapImpacts::k_impact * dt;
+        double kinetic = 0.0;
+        double most = 0.0;
+        for (const SolverBody& body : bodies_) {
+            kinetic += kinetic_energy(body);
+            most += 0.5 * slow * slow * scene_.gravity.squaredNorm() / body.inverse_mass;
+        }
+        return kinetic < most;
+    }
+
+    /// First guesses are impulses of a sub-step: of the same force, a shorter one takes less. A bed at rest that had
+    /// halved its steps once would otherwise begin each full step with a fraction of its forces, sink, overlap, and
+    /// halve again. (In a collapse forces do not last, and larger guesses only make grains overlap.)
     void scale_guesses(double factor) {
         for (GapContact& c : contacts_) {
             c.normal_impulse *= factor;
