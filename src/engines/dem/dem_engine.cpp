@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "src/engines/dem/integrators.h"
@@ -105,7 +104,7 @@ private:
             for (std::size_t k = 0; k < at_work_.size(); ++k) at_work_[k] += kick * state_.a[k];
             account_rates(system_, state_.x, at_work_, weight, report);
         }
-        for (const auto& [index, value] : std::views::reverse(kept_)) state_.v[index] = value;
+        for (std::size_t n = kept_.size(); n-- > 0;) state_.v[kept_[n].first] = kept_[n].second;
     }
 
     /// A share of what SoftSystem::balance_work did to the velocities, until they are put back from `kept_`.
