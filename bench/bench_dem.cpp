@@ -56,20 +56,13 @@ void dem_steps(benchmark::State& state, bool hexagons) {
     state.counters["grain_steps_per_second"] = benchmark::Counter(grains * steps, benchmark::Counter::kIsRate);
     state.counters["contacts_per_grain"] = static_cast<double>(report.contacts.size()) / grains;
 }
-BENCHMARK_CAPTURE(dem_steps, disks, false)
-    ->Arg(500)
-    ->Arg(1000)
-    ->Arg(4000)
-    ->Arg(16000)
-    ->Arg(32000)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(dem_steps, hexagons, true)
-    ->Arg(500)
-    ->Arg(1000)
-    ->Arg(4000)
-    ->Arg(16000)
-    ->Arg(32000)
-    ->Unit(benchmark::kMillisecond);
+
+void numbers_of_grains(benchmark::internal::Benchmark* bench) {
+    for (const int n : {500, 1000, 4000, 16000, 32000}) bench->Arg(n);
+    bench->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(dem_steps, disks, false)->Apply(numbers_of_grains);
+BENCHMARK_CAPTURE(dem_steps, hexagons, true)->Apply(numbers_of_grains);
 
 /// Circles at an area fraction of 0.5 whose radii spread over 1 : ratio.
 std::vector<BoundingCircle> spread_circles(int n, double ratio) {
