@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "src/detect/outline_kernels.h"
 #include "src/geometry/polar_polygon.h"
 #include "src/geometry/pose.h"
 
@@ -12,37 +13,18 @@ namespace polargrain {
 
 /// How far the grain reaches from its centre of mass along a unit direction of its own frame [m].
 inline double reach_along(const PolarPolygon& grain, const Vec2& direction) {
-    const double dx = direction.x();
-    const double dy = direction.y();
-    const double* x = grain.x();
-    const double* y = grain.y();
-    // Four chains of comparisons, which do not wait for one another; a vertex counted twice does no harm.
-    double reach[4] = {0.0, 0.0, 0.0, 0.0};
-    const int n = grain.size();
-    for (int k = 0; k < n; k += 4) {
-        for (int c = 0; c < 4; ++c) {
-            const int v = k + c < n ? k + c : n;
-            reach[c] = std::max(reach[c], x[v] * dx + y[v] * dy);
-        }
-    }
-    return std::max(std::max(reach[0], reach[1]), std::max(reach[2], reach[3]));
+    return outline_kernels().reach(grain.x(), grain.y(), grain.size(), direction.x(), direction.y());
 }
 
 /// Calls visit(k) in rising order for each vertex k of the grain whose station along the unit direction (of its own
 /// frame) exceeds `limit` [m]. Stops and returns true at the first visit that returns true.
 template <typename Visit>
 bool any_vertex_beyond(const PolarPolygon& grain, const Vec2& direction, double limit, Visit visit) {
-    const double tx = direction.x();
-    const double ty = direction.y();
-    const double* x = grain.x();
-    const double* y = grain.y();
     for (int base = 0; base < grain.size(); base += 64) {
         // A mask first: few vertices face, and a branch on each would be mispredicted.
-        std::uint64_t mask = 0;
-        const int count = grain.size() - base < 64 ? grain.size() - base : 64;
-        for (int n = 0; n < count; ++n) {
-            mask |= static_cast<std::uint64_t>(x[base + n] * tx + y[base + n] * ty > limit) << n;
-        }
+        const int count = std::min(grain.size() - base, 64);
+        std::uint64_t mask =
+            outline_kernels().beyond(grain.x() + base, grain.y() + base, count, direction.x(), direction.y(), limit);
         for (; mask != 0; mask &= mask - 1) {
             if (visit(base + std::countr_zero(mask))) return true;
         }
