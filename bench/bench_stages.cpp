@@ -42,7 +42,9 @@ public:
         // Impulses of a step already taken are what the next one starts from.
         std::vector<SolverBody> bodies = bodies_;
         PoseSet trial = poses_;
-        contacts_ = detection_.contacts();
+        std::vector<PairContacts> pairs;
+        contacts_.clear();
+        detection_.hand_over(pairs, contacts_);
         report_.clear(scene_.walls.size());
         solver_.advance(contacts_, bodies, poses_, trial, 0, time_, k_dt, GapSolver::k_usual, report_);
         for (std::size_t k = 0; k < n; ++k) trial.refresh(k);

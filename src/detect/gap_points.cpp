@@ -152,12 +152,14 @@ void set_range(GapPoint& point, const Vec2& a, bool a_bounds, const Vec2& b, boo
 }
 
 /// Vertices of `owner` near `other`; the owner is i where on_i. towards: unit, from the owner to the other, in the
-/// owner's frame; only vertices farther along it than `limit` can be near.
-void add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, const PolarPolygon& other,
-                       const Pose& other_pose, bool on_i, const Vec2& towards, double limit, const GapRules& rules,
-                       std::vector<GapPoint>& points) {
+/// owner's frame; only vertices farther along it than `limit` can be near. Returns a length that no vertex is nearer to
+/// the outline of the other; negative where one is inside.
+double add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, const PolarPolygon& other,
+                         const Pose& other_pose, bool on_i, const Vec2& towards, double limit, const GapRules& rules,
+                         std::vector<GapPoint>& points) {
     const Pose relative = owner_pose.relative_to(other_pose);
     const double circle = other.outer_radius() + rules.margin;
+    double least = rules.margin;
     any_vertex_beyond(owner, towards, limit, [&](int k) {
         const Vec2 v = owner.vertex(k);
         const Vec2 p = relative.to_world(v);
@@ -165,6 +167,7 @@ void add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, const 
         const int sector = other.sector_of(p);
         const double sector_gap = gap_to_edge(other, sector, p);
         if (sector_gap > rules.margin) return false;
+        least = std::min(least, sector_gap);
         const Approach approach{p, relative.turned(owner.vertex(owner.previous(k)) - v),
                                 relative.turned(owner.vertex(owner.next(k)) - v)};
         const EdgeGaps edges = edges_near(other, approach, sector, sector_gap, rules);
@@ -179,10 +182,11 @@ void add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, const 
         }
         return false;
     });
+    return least * other.evenness();
 }
 
-bool gap_points(const PolarPolygon& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j,
-                const GapRules& rules, std::vector<GapPoint>& points) {
+Separation gap_points(const PolarPolygon& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j,
+                      const GapRules& rules, std::vector<GapPoint>& points) {
     const Vec2 way = pose_i.centre - pose_j.centre;
     const double distance = std::sqrt(way.squaredNorm());
     const Vec2 direction = distance > 0.0 ? Vec2(way / distance) : Vec2(Vec2::UnitX());
@@ -191,24 +195,26 @@ bool gap_points(const PolarPolygon& i, const Pose& pose_i, const PolarPolygon& j
     const double reach_j = reach_along(j, from_j);
     const double reach_i = reach_along(i, from_i);
     const bool apart = reach_i + reach_j <= distance;
-    if (reach_i + reach_j + rules.margin <= distance) return false;
+    if (reach_i + reach_j + rules.margin <= distance) return {apart, rules.margin};
     const std::size_t first = points.size();
-    add_vertex_points(i, pose_i, j, pose_j, true, from_i, distance - reach_j - rules.margin, rules, points);
-    add_vertex_points(j, pose_j, i, pose_i, false, from_j, distance - reach_i - rules.margin, rules, points);
+    const double of_i =
+        add_vertex_points(i, pose_i, j, pose_j, true, from_i, distance - reach_j - rules.margin, rules, points);
+    const double of_j =
+        add_vertex_points(j, pose_j, i, pose_i, false, from_j, distance - reach_i - rules.margin, rules, points);
     reduce_gap_points(points, first);
-    return !apart;
+    return {apart, std::min(of_i, of_j)};
 }
 
-bool gap_points(const Disk& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
-                std::vector<GapPoint>& points) {
+Separation gap_points(const Disk& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
+                      std::vector<GapPoint>& points) {
     const Vec2 apart = pose_i.centre - pose_j.centre;
     const double distance = std::sqrt(apart.squaredNorm());
     const double gap = distance - i.radius() - j.radius();
-    if (gap > rules.margin || distance == 0.0) return distance == 0.0;
+    if (gap > rules.margin || distance == 0.0) return {gap > 0.0, gap};
     const Vec2 normal = apart / distance;
     points.push_back(
         {pose_j.centre + normal * (j.radius() + 0.5 * gap), normal, gap, -k_unbounded, k_unbounded, -1, -1, true});
-    return gap < 0.0;
+    return {gap >= 0.0, gap};
 }
 
 /// The nearest points of a polygon's boundary to a disk, where the distance has a local minimum. disk_is_i: the normal
@@ -243,43 +249,48 @@ void add_disk_points(const Disk& disk, const Pose& disk_pose, const PolarPolygon
     }
 }
 
-bool gap_points(const Disk& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j, const GapRules& rules,
-                std::vector<GapPoint>& points) {
+Separation gap_points(const Disk& i, const Pose& pose_i, const PolarPolygon& j, const Pose& pose_j,
+                      const GapRules& rules, std::vector<GapPoint>& points) {
     add_disk_points(i, pose_i, j, pose_j, true, rules, points);
-    return true;
+    return {};
 }
 
-bool gap_points(const PolarPolygon& i, const Pose& pose_i, const Disk& j, const Pose& pose_j, const GapRules& rules,
-                std::vector<GapPoint>& points) {
+Separation gap_points(const PolarPolygon& i, const Pose& pose_i, const Disk& j, const Pose& pose_j,
+                      const GapRules& rules, std::vector<GapPoint>& points) {
     add_disk_points(j, pose_j, i, pose_i, false, rules, points);
-    return true;
+    return {};
 }
 
 }  // namespace
 
-bool find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j, const GapRules& rules,
-                     std::vector<GapPoint>& points) {
+Separation find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j,
+                           const GapRules& rules, std::vector<GapPoint>& points) {
     return std::visit([&](const auto& s, const auto& t) { return gap_points(s, pose_i, t, pose_j, rules, points); }, i,
                       j);
 }
 
 namespace {
 
-/// Signed distance of a point from the line of a piece, positive on its left, and its station along it.
+/// A point as seen from a wall piece: signed distance from its line, positive on its left, and station along it.
 struct OverPiece {
     double height;
     double station;
     double length;
-    Vec2 left;
-
-    OverPiece(const WallPiece& piece, const Vec2& p) {
-        const Vec2 along = piece.b - piece.a;
-        length = std::sqrt(along.squaredNorm());
-        left = left_normal(along) / length;
-        height = left.dot(p - piece.a);
-        station = along.dot(p - piece.a) / length;
-    }
     bool within() const { return station >= 0.0 && station <= length; }
+};
+
+/// The straight line of a wall piece.
+struct PieceLine {
+    Vec2 a, along, left;
+    double length;
+
+    explicit PieceLine(const WallPiece& piece)
+        : a(piece.a),
+          along(piece.b - piece.a),
+          left(left_normal(along) / std::sqrt(along.squaredNorm())),
+          length(std::sqrt(along.squaredNorm())) {}
+
+    OverPiece over(const Vec2& p) const { return {left.dot(p - a), along.dot(p - a) / length, length}; }
 };
 
 /// Side of the piece (+1 left, -1 right) that a point belongs to (the left, where a moving wall has run over the
@@ -314,16 +325,18 @@ bool bounds(Joint joint, double side) {
 
 void wall_vertex_points(const PolarPolygon& grain, const Pose& pose, const Pose& pose_before, const GapPiece& piece,
                         bool overrun, const GapRules& rules, std::vector<GapPoint>& points) {
-    const double home = OverPiece(piece.before, pose_before.centre).height;
+    const PieceLine line(piece.now);
+    const PieceLine line_before(piece.before);
+    const double home = line_before.over(pose_before.centre).height;
     for (int k = 0; k < grain.size(); ++k) {
         const Vec2 p = pose.to_world(grain.vertex(k));
-        const OverPiece now(piece.now, p);
+        const OverPiece now = line.over(p);
         if (!now.within() || std::abs(now.height) > rules.margin + grain.outer_radius()) continue;
-        const Side side = side_of(now, OverPiece(piece.before, pose_before.to_world(grain.vertex(k))), home,
-                                  grain.outer_radius(), overrun);
+        const Side side =
+            side_of(now, line_before.over(pose_before.to_world(grain.vertex(k))), home, grain.outer_radius(), overrun);
         const double gap = side.through ? -std::abs(now.height) : std::abs(now.height);
         if (gap > rules.margin) continue;
-        const Vec2 normal = side.sign > 0.0 ? now.left : Vec2(-now.left);
+        const Vec2 normal = side.sign > 0.0 ? line.left : Vec2(-line.left);
         const Approach approach{p, pose.turned(grain.vertex(grain.previous(k)) - grain.vertex(k)),
                                 pose.turned(grain.vertex(grain.next(k)) - grain.vertex(k))};
         if (gap >= 0.0 && neighbour_behind(approach, normal, gap)) continue;
@@ -368,13 +381,14 @@ void wall_points(const PolarPolygon& grain, const Pose& pose, const Pose& pose_b
 
 void wall_points(const Disk& disk, const Pose& pose, const Pose& pose_before, const GapPiece& piece, bool overrun,
                  const GapRules& rules, std::vector<GapPoint>& points) {
-    const OverPiece now(piece.now, pose.centre);
+    const PieceLine line(piece.now);
+    const OverPiece now = line.over(pose.centre);
     const auto add = [&](const Vec2& at, const Vec2& normal, double gap, int which) {
         if (gap <= rules.margin) points.push_back({at, normal, gap, -k_unbounded, k_unbounded, -1, which, true});
     };
     if (now.within()) {
-        const Side side = side_of(now, OverPiece(piece.before, pose_before.centre), 1.0, disk.radius(), overrun);
-        const Vec2 normal = side.sign > 0.0 ? now.left : Vec2(-now.left);
+        const Side side = side_of(now, PieceLine(piece.before).over(pose_before.centre), 1.0, disk.radius(), overrun);
+        const Vec2 normal = side.sign > 0.0 ? line.left : Vec2(-line.left);
         const double height = side.through ? -std::abs(now.height) : std::abs(now.height);
         add(pose.centre - height * normal, normal, height - disk.radius(), 0);
         return;

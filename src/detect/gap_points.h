@@ -32,6 +32,12 @@ struct GapRules {
     static constexpr int k_most_per_group = 4;  ///< points kept per group of similar normals
 };
 
+/// What the search for gap points tells of two grains besides.
+struct Separation {
+    bool apart = false;      ///< a straight line is known to part the two: they do not overlap
+    double clearance = 0.0;  ///< no vertex of one is nearer to the outline of the other [m]; not positive: unknown
+};
+
 /// The points at which grain i may meet grain j, for poses that may overlap; appended to `points`.
 ///
 /// Polygons, for each vertex p of either near the sector edge of the other:
@@ -44,9 +50,8 @@ struct GapRules {
 /// - of points with similar normals only those on the lower hull of gap over tangential station can ever become the
 ///   least gap; at most k_most_per_group of them are kept.
 /// Disks meet polygons at the nearest points of their edges and corners.
-/// Returns false where a straight line is known to part the two, so that they cannot overlap.
-bool find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j, const GapRules& rules,
-                     std::vector<GapPoint>& points);
+Separation find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j,
+                           const GapRules& rules, std::vector<GapPoint>& points);
 
 /// How a wall goes on at the end of a piece, on the way along the chain.
 enum class Joint : std::uint8_t { free_end, straight, left_turn, right_turn };

@@ -15,6 +15,7 @@ PolarPolygon::PolarPolygon(std::string name, std::span<const Vec2> vertices, con
     size_ = static_cast<int>(vertices.size());
     fill_tables(vertices);
     check_star_shape();
+    find_evenness();
     build_sector_table();
 }
 
@@ -34,6 +35,18 @@ void PolarPolygon::fill_tables(std::span<const Vec2> vertices) {
         const double along = std::clamp(-a.dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
         inner_radius_ = std::min(inner_radius_, std::sqrt((a + along * (b - a)).squaredNorm()));
     }
+}
+
+/// Why evenness() holds: the factor by which a point lies farther out than the outline in its direction is continuous,
+/// and within a sector changes by at most 1 / offset per length.
+void PolarPolygon::find_evenness() {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    for (int q = 0; q < size_; ++q) {
+        least = std::min(least, offset(q));
+        largest = std::max(largest, offset(q));
+    }
+    evenness_ = least / largest;
 }
 
 void PolarPolygon::check_star_shape() const {

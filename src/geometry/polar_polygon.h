@@ -42,6 +42,10 @@ public:
     /// Least distance from the centre of mass to an edge: every point nearer is inside.
     double inner_radius() const { return inner_radius_; }
 
+    /// A point outside whose distance from the line of its sector's edge is at least g is at least evenness() g away
+    /// from the outline: the least over the largest distance of an edge's line from the centre of mass.
+    double evenness() const { return evenness_; }
+
     Vec2 vertex(int q) const { return {x()[q], y()[q]}; }
     /// Outward unit normal of edge q, from vertex q to the next.
     Vec2 normal(int q) const {
@@ -80,6 +84,7 @@ private:
 
     void fill_tables(std::span<const Vec2> vertices);
     void check_star_shape() const;
+    void find_evenness();
     void build_sector_table();
     static double pseudo_angle(const Vec2& p);
     int first_in_bin(int bin) const;
@@ -90,7 +95,7 @@ private:
     std::string name_;
     int size_ = 0;
     int bins_ = 0;
-    double area_ = 0.0, polar_moment_ = 0.0, outer_radius_ = 0.0, inner_radius_ = 0.0;
+    double area_ = 0.0, polar_moment_ = 0.0, outer_radius_ = 0.0, inner_radius_ = 0.0, evenness_ = 0.0;
     std::vector<double> data_;  // x, y, inverse edge length, each size_ + 1 long: no more, as grains with shapes of
                                 // their own carry one each
     std::vector<std::uint8_t> sectors_;  // see first_in_bin; a byte a bin, or two where a byte is too short

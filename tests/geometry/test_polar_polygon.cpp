@@ -38,6 +38,23 @@ protected:
     Vec2 point(double reach) { return {random_.uniform(-reach, reach), random_.uniform(-reach, reach)}; }
 };
 
+TEST_P(RandomPolygons, PointsOutsideAreAsFarAwayAsTheEvennessSays) {
+    SCOPED_TRACE(fmt::format("seed {}", k_seed));
+    for (int shape = 0; shape < 20; ++shape) {
+        const PolarPolygon polygon = draw();
+        for (int k = 0; k < 500; ++k) {
+            const Vec2 p = point(1.3);
+            const double gap = -polygon.depth(p);
+            if (gap <= 0.0) continue;
+            double away = 1e9;
+            for (int q = 0; q < polygon.size(); ++q) {
+                away = std::min(away, distance(p, polygon.vertex(q), polygon.vertex(polygon.next(q))));
+            }
+            ASSERT_GE(away, polygon.evenness() * gap * (1.0 - 1e-12)) << "shape " << shape << " point " << p;
+        }
+    }
+}
+
 TEST_P(RandomPolygons, SectorLookUpFindsWhatASearchOfAllSectorsFinds) {
     SCOPED_TRACE(fmt::format("seed {}", k_seed));
     for (int shape = 0; shape < 20; ++shape) {

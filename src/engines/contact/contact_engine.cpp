@@ -88,8 +88,8 @@ private:
         }
         reject(report);
         guard(energy_before, report);
-        hand_over_contacts();
         report_contacts(report);
+        hand_over_contacts();
         before_ = trial_;
     }
 
@@ -188,11 +188,12 @@ private:
         const double energy_touching = energy_at(before_);
         const auto detect = [&] {
             detection_.detect(before_, trial_, bodies_, time, time, dt);
-            contacts_ = detection_.contacts();
-            pairs_ = detection_.pairs();
+            hand_over_contacts();
         };
         trial_ = before_;
         detect();
+        const auto overlapping = [](const PairContacts& pair) { return pair.overlapping; };
+        if (std::none_of(pairs_.begin(), pairs_.end(), overlapping)) detection_.begin_clean();
         const PositionCorrection::Pace pace{dt, PositionCorrection::k_trigger};
         for (int pass = 0; pass < k_opening_passes && PositionCorrection::needed(contacts_, bodies_, pace); ++pass) {
             solver_.prepare_at_rest(contacts_, bodies_, trial_);
@@ -275,8 +276,7 @@ private:
                           (ledger.friction_loss - was.friction_loss) - (ledger.correction - was.correction);
     }
 
-    /// The contacts found at the new poses become those of the next step, with the old impulses as first guesses; the
-    /// old ones go back to the detection, which reuses their memory after they have been reported.
+    /// The points found at the new poses become the contacts of the next step, with the old impulses as first guesses.
     void hand_over_contacts() { detection_.hand_over(pairs_, contacts_); }
 
     void give_state(World& world, StepReport& report) {
@@ -301,7 +301,7 @@ private:
     }
 
     void report_contacts(StepReport& report) const {
-        for (const GapContact& c : detection_.contacts()) {
+        for (const GapContact& c : contacts_) {
             if (c.total_impulse == Vec2::Zero()) continue;
             report.contacts.push_back({c.j, c.i, c.point, c.normal, c.gap, c.total_impulse});
         }
@@ -370,6 +370,7 @@ void ContactEngine::load(const Checkpoint& checkpoint) {
     detected_ = state.at(0) != 0;
     careful_ = static_cast<int>(state.at(1));
     stillness_.forget();
+    if (detected_) detection_.begin_clean();
     contacts_.clear();
     pairs_.clear();
     for (std::size_t k = 0; (k + 1) * k_contact_integers <= integers.size(); ++k) {

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "src/detect/gap_points.h"
 #include "src/engines/contact/impact_law.h"
 #include "src/model/contact.h"
 
@@ -34,6 +36,21 @@ struct GapContact {
 
     Vec2 tangent() const { return right_normal(normal); }
 };
+
+/// The contact points of one pair of bodies: a run of an array of points, or of contacts made from them.
+struct PairContacts {
+    BodyIndex i = 0, j = 0;
+    std::int32_t piece = -1;  ///< of the wall pieces, where j is a wall
+    std::int32_t first = 0, count = 0;
+    bool overlapping = false;
+};
+
+/// Speculative contacts of the points of a pair, without impulses yet. resting: gap at which the pair rests [m].
+void make_contacts(const PairContacts& pair, std::span<const GapPoint> points, double resting,
+                   std::span<GapContact> contacts);
+
+/// Gives the impulses of a pair's old contacts to its new ones, as first guesses of the solver.
+void take_impulses_over(std::span<GapContact> now, std::span<GapContact> old);
 
 /// Velocity and inverse inertia of a grain, side by side for the solver's sweeps.
 struct SolverBody {

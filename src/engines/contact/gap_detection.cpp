@@ -16,7 +16,7 @@ Joint joint_between(const Vec2& before, const Vec2& at, const Vec2& after) {
     return turn > 0.0 ? Joint::left_turn : Joint::right_turn;
 }
 
-/// Pairs, contacts or grains that a thread takes at a time, where each costs little.
+/// Pairs or grains that a thread takes at a time, where each costs little.
 constexpr std::size_t k_run = 1024;
 
 bool before_pair(const PairContacts& p, const PairContacts& q) {
@@ -127,59 +127,61 @@ void GapDetection::find_agitation(const PoseSet& now, const std::vector<SolverBo
 }
 
 void GapDetection::Found::clear() {
-    contacts.clear();
     pairs.clear();
     points.clear();
 }
 
 void GapDetection::Found::swap(Found& other) {
-    contacts.swap(other.contacts);
     pairs.swap(other.pairs);
     points.swap(other.points);
 }
 
-void GapDetection::Found::resize(std::size_t contact_count, std::size_t pair_count) {
-    contacts.resize(contact_count);
-    points.resize(contact_count);
+void GapDetection::Found::resize(std::size_t point_count, std::size_t pair_count) {
+    points.resize(point_count);
     pairs.resize(pair_count);
 }
 
-void GapDetection::Found::put(const Found& more, std::size_t first_contact, std::size_t first_pair) {
-    std::copy(more.contacts.begin(), more.contacts.end(),
-              contacts.begin() + static_cast<std::ptrdiff_t>(first_contact));
-    std::copy(more.points.begin(), more.points.end(), points.begin() + static_cast<std::ptrdiff_t>(first_contact));
+void GapDetection::Found::put(const Found& more, std::size_t first_point, std::size_t first_pair) {
+    std::copy(more.points.begin(), more.points.end(), points.begin() + static_cast<std::ptrdiff_t>(first_point));
     for (const PairContacts& pair : more.pairs) {
         pairs[first_pair] = pair;
-        pairs[first_pair++].first += static_cast<std::int32_t>(first_contact);
+        pairs[first_pair++].first += static_cast<std::int32_t>(first_point);
     }
 }
 
-void GapDetection::store(Share& share, const PairContacts& pair, std::span<const GapPoint> points) const {
+void GapDetection::store(Share& share, const PairContacts& pair, std::span<const GapPoint> points) {
     if (points.empty() && !pair.overlapping) return;
     Found& found = share.found;
     found.pairs.push_back(pair);
-    found.pairs.back().first = static_cast<std::int32_t>(found.contacts.size());
+    found.pairs.back().first = static_cast<std::int32_t>(found.points.size());
     found.pairs.back().count = static_cast<std::int32_t>(points.size());
-    const double resting = resting_gap(pair.i, pair.j);
-    for (const GapPoint& p : points) {
-        GapContact& c = found.contacts.emplace_back();
-        c.i = pair.i;
-        c.j = pair.j;
-        c.point = p.point;
-        c.normal = p.normal;
-        c.gap = p.gap;
-        c.low = p.low;
-        c.high = p.high;
-        c.vertex = p.vertex;
-        c.edge = p.edge;
-        c.piece = pair.piece;
-        c.on_i = p.on_i;
-        c.resting = resting;
-    }
     found.points.insert(found.points.end(), points.begin(), points.end());
 }
 
-void GapDetection::detect_pair(Share& share, const PoseSet& now, GrainIndex a, GrainIndex b) const {
+/// Two grains that did not overlap can do so only after a vertex of one has come to the outline of the other. Where
+/// each is farther from it now than the two have moved past one another since, none has. (Their common way does not
+/// matter.)
+bool GapDetection::still_apart(double clearance, const PoseSet& before, const PoseSet& now, GrainIndex a,
+                               GrainIndex b) const {
+    constexpr double k_sure = 1e-3;  // of the resting gap: far more than round-off, and than what counts as touching
+    if (!clean_) return false;
+    const std::size_t i = Grains::at(a);
+    const std::size_t j = Grains::at(b);
+    const double spare = clearance - turn_way_[i] - turn_way_[j] - k_sure * resting_gap(b, a);
+    if (spare <= 0.0) return false;
+    const Vec2 way = (now.centre[i] - before.centre[i]) - (now.centre[j] - before.centre[j]);
+    return way.squaredNorm() < spare * spare;
+}
+
+void GapDetection::find_turn(const PoseSet& before, const PoseSet& now, std::size_t k) {
+    const Pose& p = before.pose[k];
+    const Pose& q = now.pose[k];
+    const Vec2 chord(q.cosine - p.cosine, q.sine - p.sine);
+    turn_way_[k] = list_.radius(static_cast<GrainIndex>(k)) * std::sqrt(chord.squaredNorm());
+}
+
+void GapDetection::detect_pair(Share& share, const PoseSet& before, const PoseSet& now, GrainIndex a,
+                               GrainIndex b) const {
     const Pose& pose_a = now.pose[Grains::at(a)];
     const Pose& pose_b = now.pose[Grains::at(b)];
     const GapRules rules{margin(b, a), resting_gap(b, a)};
@@ -188,8 +190,10 @@ void GapDetection::detect_pair(Share& share, const PoseSet& now, GrainIndex a, G
     share.scratch.clear();
     const Shape& shape_a = scene_.shape_of(a);
     const Shape& shape_b = scene_.shape_of(b);
-    const bool close = find_gap_points(shape_b, pose_b, shape_a, pose_a, rules, share.scratch);
-    store(share, {b, a, -1, 0, 0, close && overlap(shape_a, pose_a, shape_b, pose_b)}, share.scratch);
+    const Separation separation = find_gap_points(shape_b, pose_b, shape_a, pose_a, rules, share.scratch);
+    const bool overlapping = !separation.apart && !still_apart(separation.clearance, before, now, a, b) &&
+                             overlap(shape_a, pose_a, shape_b, pose_b);
+    store(share, {b, a, -1, 0, 0, overlapping}, share.scratch);
 }
 
 void GapDetection::detect_wall(Share& share, const PoseSet& before, const PoseSet& now, GrainIndex k,
@@ -233,7 +237,7 @@ void GapDetection::detect(const PoseSet& before, const PoseSet& now, const std::
     detect_all(before, now);
 }
 
-/// Who has moved, or looks elsewhere, since the last detection.
+/// Who has moved, or looks elsewhere, since the last detection; and how far each has turned.
 void GapDetection::find_moved(const PoseSet& before, const PoseSet& now) {
     const auto same = [](const Pose& p, const Pose& q) {
         return p.centre == q.centre && p.cosine == q.cosine && p.sine == q.sine;
@@ -246,10 +250,14 @@ void GapDetection::find_moved(const PoseSet& before, const PoseSet& now) {
     }
     seen_ahead_ = look_ahead_;
     seen_gravity_way_ = gravity_way_;
+    turn_way_.resize(n);
+    parallel_.runs(n, k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) find_turn(before, now, k);
+    });
 }
 
 void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved) {
-    if (found_.contacts.size() > 2 * in_order_) put_in_order();
+    if (found_.points.size() > 2 * in_order_) put_in_order();
     affected_pairs_.clear();
     for (const auto& [a, b] : list_.pairs()) {
         if (moved[Grains::at(a)] || moved[Grains::at(b)]) affected_pairs_.emplace_back(a, b);
@@ -258,6 +266,7 @@ void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const
     for (std::size_t k = 0; k < now.pose.size(); ++k) {
         if (!moved[k]) continue;
         seen_[k] = now.pose[k];
+        find_turn(before, now, k);
         affected_grains_.push_back(static_cast<GrainIndex>(k));
     }
     // Runs of a fixed length, those of the pairs first.
@@ -271,7 +280,7 @@ void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const
         const std::size_t first = k_affected_a_run * (s < pair_runs ? s : s - pair_runs);
         if (s < pair_runs) {
             for (std::size_t n = first; n < std::min(first + k_affected_a_run, affected_pairs_.size()); ++n) {
-                detect_pair(share, now, affected_pairs_[n].first, affected_pairs_[n].second);
+                detect_pair(share, before, now, affected_pairs_[n].first, affected_pairs_[n].second);
             }
             return;
         }
@@ -291,39 +300,53 @@ void GapDetection::gather(std::size_t shares, Found& all) {
         all.swap(shares_.front().found);
         return;
     }
-    std::size_t contacts = 0;
+    std::size_t points = 0;
     std::size_t pairs = 0;
     for (std::size_t s = 0; s < shares; ++s) {
-        shares_[s].first_contact = contacts;
+        shares_[s].first_point = points;
         shares_[s].first_pair = pairs;
-        contacts += shares_[s].found.contacts.size();
+        points += shares_[s].found.points.size();
         pairs += shares_[s].found.pairs.size();
     }
-    all.resize(contacts, pairs);
+    all.resize(points, pairs);
     parallel_.each(shares,
-                   [&](std::size_t s) { all.put(shares_[s].found, shares_[s].first_contact, shares_[s].first_pair); });
+                   [&](std::size_t s) { all.put(shares_[s].found, shares_[s].first_point, shares_[s].first_pair); });
 }
 
-/// Puts the pairs of the patch in place of those of moved grains. Contacts of pairs that stay keep their places; the
-/// new ones come behind all others.
+/// Puts the pairs of the patch in place of those of moved grains; pairs that stay keep their points where they are.
 void GapDetection::splice(const std::vector<char>& moved) {
-    const auto offset = static_cast<std::int32_t>(found_.contacts.size());
-    for (PairContacts& pair : patch_.pairs) pair.first += offset;
-    found_.contacts.insert(found_.contacts.end(), patch_.contacts.begin(), patch_.contacts.end());
-    found_.points.insert(found_.points.end(), patch_.points.begin(), patch_.points.end());
     merged_pairs_.clear();
     auto next = patch_.pairs.begin();
+    const auto take = [&](const PairContacts* old) {
+        replace(*next, old);
+        merged_pairs_.push_back(*next++);
+    };
     for (const PairContacts& pair : found_.pairs) {
-        if (moved[Grains::at(pair.i)] || (!is_wall(pair.j) && moved[Grains::at(pair.j)])) continue;
-        while (next != patch_.pairs.end() && before_pair(*next, pair)) merged_pairs_.push_back(*next++);
-        merged_pairs_.push_back(pair);
+        while (next != patch_.pairs.end() && before_pair(*next, pair)) take(nullptr);
+        if (!moved[Grains::at(pair.i)] && (is_wall(pair.j) || !moved[Grains::at(pair.j)])) {
+            merged_pairs_.push_back(pair);
+        } else if (next != patch_.pairs.end() && !before_pair(pair, *next)) {
+            take(&pair);
+        }
     }
-    merged_pairs_.insert(merged_pairs_.end(), next, patch_.pairs.end());
+    while (next != patch_.pairs.end()) take(nullptr);
     found_.pairs.swap(merged_pairs_);
     spliced_ = true;
 }
 
-/// Contacts in the order of their pairs again, without those that have been replaced.
+/// Finds a place for the points of a pair of the patch: that of its old ones, or behind all others.
+void GapDetection::replace(PairContacts& pair, const PairContacts* old) {
+    const auto from = patch_.of(pair);
+    if (old != nullptr && pair.count <= old->count) {
+        pair.first = old->first;
+        std::copy(from.begin(), from.end(), found_.points.begin() + pair.first);
+        return;
+    }
+    pair.first = static_cast<std::int32_t>(found_.points.size());
+    found_.points.insert(found_.points.end(), from.begin(), from.end());
+}
+
+/// Points in the order of their pairs again, without those that have been replaced.
 void GapDetection::put_in_order() {
     if (!spliced_) return;
     spliced_ = false;
@@ -333,28 +356,15 @@ void GapDetection::put_in_order() {
         pair.first = end;
         end += pair.count;
     }
-    ordered_.contacts.resize(static_cast<std::size_t>(end));
     ordered_.points.resize(static_cast<std::size_t>(end));
     parallel_.runs(ordered_.pairs.size(), k_run, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            const PairContacts& pair = ordered_.pairs[k];
-            std::copy_n(found_.contacts.begin() + found_.pairs[k].first, pair.count,
-                        ordered_.contacts.begin() + pair.first);
-            std::copy_n(found_.points.begin() + found_.pairs[k].first, pair.count,
-                        ordered_.points.begin() + pair.first);
+            const auto points = found_.of(found_.pairs[k]);
+            std::copy(points.begin(), points.end(), ordered_.points.begin() + ordered_.pairs[k].first);
         }
     });
     found_.swap(ordered_);
-    in_order_ = found_.contacts.size();
-}
-
-void GapDetection::hand_over(std::vector<PairContacts>& pairs, std::vector<GapContact>& contacts) {
-    put_in_order();
-    match(pairs, contacts);
-    last_pairs_ = found_.pairs;
-    handed_over_ = true;
-    pairs.swap(found_.pairs);
-    contacts.swap(found_.contacts);
+    in_order_ = found_.points.size();
 }
 
 /// Threads take runs of the pairs, and of the grains with their walls; one after the other their finds are in order.
@@ -366,16 +376,12 @@ void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     const std::size_t runs =
         threads == 1 ? 1 : std::clamp<std::size_t>(pairs.size() / k_pairs_a_run, 1, k_runs_a_thread * threads);
     const std::size_t grains = now.pose.size();
-    if (!handed_over_) {
-        put_in_order();
-        last_pairs_ = found_.pairs;
-    }
-    handed_over_ = false;
-    last_points_.swap(found_.points);
+    put_in_order();
+    last_.swap(found_);
     shares_.resize(std::max(shares_.size(), 2 * runs));
     const auto find_pairs = [&](Share& share, std::size_t part) {
         const std::size_t first = pairs.size() * part / runs;
-        detect_pairs(share, pairs.subspan(first, pairs.size() * (part + 1) / runs - first), now);
+        detect_pairs(share, pairs.subspan(first, pairs.size() * (part + 1) / runs - first), before, now);
     };
     const auto find_walls = [&](Share& share, std::size_t part) {
         detect_walls(share, static_cast<GrainIndex>(grains * part / runs),
@@ -394,16 +400,17 @@ void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
         });
         gather(2 * runs, found_);
     }
-    in_order_ = found_.contacts.size();
+    in_order_ = found_.points.size();
     seen_ = now.pose;
     seen_pieces_ = pieces_.size();
 }
 
-void GapDetection::detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& now) const {
+void GapDetection::detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& before,
+                                const PoseSet& now) const {
     share.cursor = 0;
     for (const auto& [a, b] : pairs) {
         if (moved_[Grains::at(a)] || moved_[Grains::at(b)]) {
-            detect_pair(share, now, a, b);
+            detect_pair(share, before, now, a, b);
         } else {
             keep(share, {b, a});
         }
@@ -428,69 +435,32 @@ void GapDetection::detect_walls(Share& share, GrainIndex first, GrainIndex last,
 
 /// What the last detection has found of a pair; pairs are asked for in order.
 void GapDetection::keep(Share& share, const PairContacts& key) const {
+    const std::vector<PairContacts>& pairs = last_.pairs;
     if (share.cursor == 0) {
-        share.cursor = static_cast<std::size_t>(
-            std::lower_bound(last_pairs_.begin(), last_pairs_.end(), key, before_pair) - last_pairs_.begin());
+        share.cursor =
+            static_cast<std::size_t>(std::lower_bound(pairs.begin(), pairs.end(), key, before_pair) - pairs.begin());
     }
-    while (share.cursor < last_pairs_.size() && before_pair(last_pairs_[share.cursor], key)) ++share.cursor;
-    if (share.cursor == last_pairs_.size() || before_pair(key, last_pairs_[share.cursor])) return;
-    const PairContacts& pair = last_pairs_[share.cursor];
-    store(share, pair,
-          std::span(last_points_).subspan(static_cast<std::size_t>(pair.first), static_cast<std::size_t>(pair.count)));
+    while (share.cursor < pairs.size() && before_pair(pairs[share.cursor], key)) ++share.cursor;
+    if (share.cursor == pairs.size() || before_pair(key, pairs[share.cursor])) return;
+    store(share, pairs[share.cursor], last_.of(pairs[share.cursor]));
 }
 
-namespace {
-
-void take_over(GapContact& now, GapContact& old) {
-    now.normal_impulse = old.normal_impulse;
-    now.tangent_impulse = old.tangent_impulse;
-    old.normal_impulse = 0.0;
-    old.tangent_impulse = 0.0;
-}
-
-/// First by feature; what is left goes to the nearest point with a similar normal that has none yet.
-void match_pair(std::span<GapContact> now, std::span<GapContact> old) {
-    thread_local std::vector<char> done;
-    done.assign(old.size(), 0);
-    for (GapContact& c : now) {
-        for (std::size_t k = 0; k < old.size(); ++k) {
-            if (done[k] || old[k].on_i != c.on_i || old[k].vertex != c.vertex || old[k].normal.dot(c.normal) < 0.7)
-                continue;
-            take_over(c, old[k]);
-            done[k] = 1;
-            break;
-        }
-    }
-    for (std::size_t k = 0; k < old.size(); ++k) {
-        if (done[k] || old[k].normal_impulse == 0.0) continue;
-        GapContact* nearest = nullptr;
-        double least = std::numeric_limits<double>::infinity();
-        for (GapContact& c : now) {
-            if (c.normal_impulse != 0.0 || old[k].normal.dot(c.normal) < 0.7) continue;
-            const double d = (c.point - old[k].point).squaredNorm();
-            if (d < least) {
-                least = d;
-                nearest = &c;
-            }
-        }
-        if (nearest) take_over(*nearest, old[k]);
-    }
-}
-
-}  // namespace
-
-void GapDetection::match(const std::vector<PairContacts>& old_pairs, std::vector<GapContact>& old_contacts) {
+void GapDetection::hand_over(std::vector<PairContacts>& pairs, std::vector<GapContact>& contacts) {
+    put_in_order();
+    made_.resize(found_.points.size());
     parallel_.runs(found_.pairs.size(), k_run, [&](std::size_t first, std::size_t last) {
-        auto old = std::lower_bound(old_pairs.begin(), old_pairs.end(), found_.pairs[first], before_pair);
+        auto old = std::lower_bound(pairs.begin(), pairs.end(), found_.pairs[first], before_pair);
         for (std::size_t k = first; k < last; ++k) {
             const PairContacts& pair = found_.pairs[k];
-            while (old != old_pairs.end() && before_pair(*old, pair)) ++old;
-            if (old == old_pairs.end()) break;
-            if (before_pair(pair, *old)) continue;
-            match_pair({found_.contacts.data() + pair.first, static_cast<std::size_t>(pair.count)},
-                       {old_contacts.data() + old->first, static_cast<std::size_t>(old->count)});
+            const std::span<GapContact> made{made_.data() + pair.first, static_cast<std::size_t>(pair.count)};
+            make_contacts(pair, found_.of(pair), resting_gap(pair.i, pair.j), made);
+            while (old != pairs.end() && before_pair(*old, pair)) ++old;
+            if (old == pairs.end() || before_pair(pair, *old)) continue;
+            take_impulses_over(made, {contacts.data() + old->first, static_cast<std::size_t>(old->count)});
         }
     });
+    pairs = found_.pairs;
+    contacts.swap(made_);
 }
 
 }  // namespace polargrain

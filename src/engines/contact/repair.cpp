@@ -52,9 +52,11 @@ void Repair::choose_grains(const GapDetection& detection, int rings) {
             for (const std::int32_t n : by_grain_.of(grains_[first])) {
                 const PairContacts& pair = pairs[static_cast<std::size_t>(n)];
                 if (is_wall(pair.j) || (chosen_[Grains::at(pair.i)] && chosen_[Grains::at(pair.j)])) continue;
-                const bool near = std::any_of(detection.begin_of(pair), detection.end_of(pair),
-                                              [](const GapContact& c) { return c.gap < k_ring * c.resting; });
-                if (!near) continue;
+                const double near = k_ring * detection.resting_gap(pair.i, pair.j);
+                const auto points = detection.points_of(pair);
+                if (std::none_of(points.begin(), points.end(), [=](const GapPoint& p) { return p.gap < near; })) {
+                    continue;
+                }
                 choose(pair.i);
                 choose(pair.j);
             }
@@ -155,23 +157,24 @@ void Repair::collect_rows(const GapDetection& detection, const std::vector<Solve
     rows_.clear();
     for (const std::int32_t n : chosen_pairs_) {
         const PairContacts& pair = detection.pairs()[static_cast<std::size_t>(n)];
-        std::for_each(detection.begin_of(pair), detection.end_of(pair),
-                      [&](const GapContact& c) { add_row(c, bodies, trial); });
+        const double resting = detection.resting_gap(pair.i, pair.j);
+        for (const GapPoint& p : detection.points_of(pair)) add_row(pair, p, resting, bodies, trial);
     }
 }
 
-void Repair::add_row(const GapContact& c, const std::vector<SolverBody>& bodies, const PoseSet& trial) {
-    if (c.gap >= k_near * c.resting) return;
+void Repair::add_row(const PairContacts& pair, const GapPoint& p, double resting, const std::vector<SolverBody>& bodies,
+                     const PoseSet& trial) {
+    if (p.gap >= k_near * resting) return;
     double inverse = 0.0;
     const auto side = [&](BodyIndex body) {
         if (!gives_way(body)) return OpeningSide{};
         const SolverBody& b = bodies[Grains::at(body)];
-        const double arm = cross(Vec2(c.point - trial.centre[Grains::at(body)]), c.normal);
+        const double arm = cross(Vec2(p.point - trial.centre[Grains::at(body)]), p.normal);
         inverse += b.inverse_mass + b.inverse_inertia * arm * arm;
-        return OpeningSide::of(body, b, c.normal, arm);
+        return OpeningSide::of(body, b, p.normal, arm);
     };
-    GapOpening row{c.normal,  c.gap,    c.gap < k_part * c.resting ? k_part * c.resting : 0.0, 0.0, 0.0,
-                   side(c.i), side(c.j)};
+    GapOpening row{p.normal,     p.gap,       p.gap < k_part * resting ? k_part * resting : 0.0, 0.0, 0.0,
+                   side(pair.i), side(pair.j)};
     row.mass = 1.0 / inverse;
     rows_.push_back(row);
 }

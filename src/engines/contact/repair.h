@@ -34,7 +34,8 @@ private:
     void choose(BodyIndex body);
     void solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
     void collect_rows(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
-    void add_row(const GapContact& c, const std::vector<SolverBody>& bodies, const PoseSet& trial);
+    void add_row(const PairContacts& pair, const GapPoint& p, double resting, const std::vector<SolverBody>& bodies,
+                 const PoseSet& trial);
     void part_islands();
     GrainIndex root_of(GrainIndex grain);
     void move_chosen(PoseSet& trial);
