@@ -294,16 +294,19 @@ struct PieceLine {
 };
 
 /// Side of the piece (+1 left, -1 right) that a point belongs to (the left, where a moving wall has run over the
-/// grain), and whether it has gone through since `before`. A point that was on the line, but for round-off, belongs to
-/// the side of the grain's centre, home_side.
+/// grain), and whether it has gone through since `before`. A point that was on the line, or all but, belongs to the
+/// side of the grain's centre, home_side.
 struct Side {
     double sign;
     bool through;
 };
 
 Side side_of(const OverPiece& now, const OverPiece& before, double home_side, double radius, bool overrun) {
+    // Of the outer radius. A pose counts as free while the piece reaches less than k_touch_tolerance into the grain,
+    // measured from its edges; the tip of a vertex may then be many times farther behind.
+    constexpr double k_on_the_line = 1e-6;
     if (overrun) return {1.0, now.height < 0.0};
-    const double was = std::abs(before.height) > k_touch_tolerance * radius ? before.height : home_side;
+    const double was = std::abs(before.height) > k_on_the_line * radius ? before.height : home_side;
     if ((was > 0.0) == (now.height > 0.0) || now.height == 0.0) return {now.height == 0.0 ? was : now.height, false};
     // The signs differ: it went through the piece, or round one of its ends.
     const double part = std::clamp(before.height / (before.height - now.height), 0.0, 1.0);

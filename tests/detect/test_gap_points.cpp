@@ -39,11 +39,11 @@ TEST(GapPoints, OfALeaningDominoIsItsTipOnTheFaceNotTheNextOnesCornerOnItsExtend
 }
 
 TEST(GapPoints, OfAGrainThatTouchedAWallStayOnItsSide) {
-    // Touching, but for round-off, its lower corners may have been a hair behind the wall.
+    // All but touching, its lower corners may have been a hair behind the wall.
     const Shape box = make_shape("box", RectangleSpec{0.02, 0.02, 4}, 1);
     GapPiece floor;
     floor.now = floor.before = {{-1.0, 0.0}, {1.0, 0.0}};
-    for (const double was : {-5e-12, -1e-13, 0.0, 1e-13}) {
+    for (const double was : {-5e-9, -5e-12, -1e-13, 0.0, 1e-13}) {
         for (const double is : {-1e-13, 0.0, 7e-6}) {
             const Pose before = Pose::at(Vec2(0.0, 0.01 + was), 0.0);
             const Pose now = Pose::at(Vec2(0.0, 0.01 + is), 0.0);
