@@ -19,7 +19,7 @@ namespace polargrain {
 class Repair {
 public:
     static constexpr int k_passes = 12;
-    static constexpr int k_sweeps = 20;
+    static constexpr int k_sweeps = 60;
     static constexpr double k_part = 0.3;  ///< of the resting gap: what overlapping pairs are opened to
     static constexpr double k_near = 5.0;  ///< gaps beyond this many resting gaps cannot get in the way
     static constexpr double k_ring = 1.2;  ///< neighbours through contacts nearer than this many resting gaps
