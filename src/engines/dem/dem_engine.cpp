@@ -30,10 +30,9 @@ public:
         read(world);
         const auto parts = static_cast<std::int64_t>(parts_of_step(dt));
         const double h = dt / static_cast<double>(parts);
-        const StoredEnergy stored_before = stored_energy(system_);
+        const StoredEnergy stored_before = system_.turnover().stored;
         const double on_loan_before = on_loan(world.grains, h);
         const double energy_before = energy(world.grains, scene_.gravity).total();
-        for (SoftContact& c : system_.contacts()) c.impulse = Vec2::Zero();
 
         account(Instant::first, h, report);
         for (std::int64_t part = 0; part < parts; ++part) {
@@ -46,6 +45,7 @@ public:
         ++world.step;
         world.time = static_cast<double>(world.step) * dt;
         report.ledger.stored = on_loan_before - on_loan(world.grains, h);
+        report_contacts(0.5 * h, report);
         finish_report(world, energy_before, stored_before, report);
     }
 
@@ -90,6 +90,7 @@ private:
     /// and kick those of the step after the first instant, of the one before the last, and their mean in between.
     void account(Instant instant, double h, StepReport& report) {
         const double weight = instant == Instant::inner ? h : 0.5 * h;
+        system_.weigh(weight);
         if (!kicks()) {
             account_rates(system_, state_.x, state_.v, weight, report);
             return;
@@ -146,14 +147,19 @@ private:
         }
     }
 
+    /// `weight`: for how long the forces at the end have acted [s].
+    void report_contacts(double weight, StepReport& report) {
+        for (SoftContact& c : system_.contacts()) {
+            report.contacts.push_back({c.a, c.b, c.point, c.normal, -c.depth, c.impulse + weight * c.force()});
+            c.impulse = Vec2::Zero();
+        }
+    }
+
     void finish_report(const World& world, double energy_before, const StoredEnergy& stored_before,
                        StepReport& report) const {
-        for (const SoftContact& c : system_.contacts()) {
-            report.contacts.push_back({c.a, c.b, c.point, c.normal, -c.depth, c.impulse});
-        }
         report.moves.tried = world.grains.size();
         EnergyLedger& ledger = report.ledger;
-        const StoredEnergy stored = stored_energy(system_);
+        const StoredEnergy& stored = system_.turnover().stored;
         ledger.stored += stored.total() - stored_before.total();
         ledger.friction_loss -= stored.sliding - stored_before.sliding;
         // What the scheme itself makes of energy: all that has no other cause.

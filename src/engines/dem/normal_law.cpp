@@ -21,8 +21,6 @@ double rising_root(Function f, double low, double high) {
 
 }  // namespace
 
-Elastic linear_spring(double overlap, double k) { return {k * overlap, 0.5 * k * overlap * overlap}; }
-
 Elastic hertz_spring(double overlap, double k) {
     const double force = k * overlap * std::sqrt(overlap);
     return {force, 0.4 * force * overlap};
@@ -77,17 +75,15 @@ double damping_constant(double gamma, double mass, double k, double b, double g,
     return 2.0 * gamma * std::sqrt(mass * k * (1.0 + 0.5 * b)) * power(reference, 0.5 * b - g);
 }
 
-double damped_force(double elastic_force, double damping, double closing, bool tension) {
-    const double force = elastic_force + damping * closing;
-    return tension ? force : std::max(0.0, force);
+double walton_braun_loss(double largest, double k1, double k2) {
+    return 0.5 * k1 * largest * largest * (1.0 - k1 / k2);
 }
 
 Hysteretic walton_braun_spring(double overlap, double largest, double k1, double k2) {
     const double reached = std::max(overlap, largest);
     const double rest = reached * (1.0 - k1 / k2);
     const double give = std::max(0.0, overlap - rest);
-    const double spent = 0.5 * k1 * reached * reached * (1.0 - k1 / k2);
-    return {k2 * give, 0.5 * k2 * give * give, spent, reached};
+    return {k2 * give, 0.5 * k2 * give * give, walton_braun_loss(reached, k1, k2), reached};
 }
 
 }  // namespace polargrain

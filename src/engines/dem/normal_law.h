@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace polargrain {
 
 /// What a spring has and does at one overlap.
@@ -9,7 +11,7 @@ struct Elastic {
 };
 
 /// k x overlap [K02, eq. 1]; overlap [m] >= 0, k [N/m^2] per metre of depth.
-Elastic linear_spring(double overlap, double k);
+inline Elastic linear_spring(double overlap, double k) { return {k * overlap, 0.5 * k * overlap * overlap}; }
 
 /// k x overlap^(3/2): Hertz [L94]; k [N/m^(5/2)].
 Elastic hertz_spring(double overlap, double k);
@@ -44,7 +46,10 @@ double damping_constant(double gamma, double mass, double k, double b, double g,
 
 /// Normal force of spring and dashpot [CS79]; closing [m/s] > 0 while the bodies approach, damping [N s/m^2].
 /// Without tension never negative.
-double damped_force(double elastic_force, double damping, double closing, bool tension);
+inline double damped_force(double elastic_force, double damping, double closing, bool tension) {
+    const double force = elastic_force + damping * closing;
+    return tension ? force : std::max(0.0, force);
+}
 
 /// What the hysteretic law of Walton and Braun has and does.
 struct Hysteretic {
@@ -57,5 +62,8 @@ struct Hysteretic {
 /// Loading along k1 x overlap, unloading and loading again along k2 (overlap - d0), d0 = largest (1 - k1/k2), never
 /// tensile [WB86]. The restitution is sqrt(k1 / k2) at every speed.
 Hysteretic walton_braun_spring(double overlap, double largest, double k1, double k2);
+
+/// What that law has taken of a contact that has been as deep as `largest` [J/m].
+double walton_braun_loss(double largest, double k1, double k2);
 
 }  // namespace polargrain

@@ -69,26 +69,24 @@ void SoftSystem::end_contact(const SoftContact& old, double h, std::span<double>
     balance(old, previous_x_, -0.5 * missed * old.normal_force * way, 0.5 * h * std::abs(old.normal_force), v);
 }
 
-double SoftSystem::way_of(const SoftContact& old, std::span<const double> from, std::span<const double> to,
+double SoftSystem::way_of(const SoftContact& old, const Shift& a, const Shift& b, std::span<const double> from,
                           double dt) const {
-    const auto way = [&](BodyIndex grain) {
-        const Vec2 shift = place(to, grain) - place(from, grain);
-        if (bodies_[Grains::at(grain)].disk) return shift;
-        const std::size_t angle = 3 * Grains::at(grain) + 2;
-        return Vec2(shift + cross(to[angle] - from[angle], Vec2(old.point - place(from, grain))));
+    const auto way = [&](BodyIndex grain, const Shift& shift) {
+        if (bodies_[Grains::at(grain)].disk) return shift.way;
+        return Vec2(shift.way + cross(shift.turn, Vec2(old.point - place(from, grain))));
     };
-    if (!is_wall(old.a)) return (way(old.b) - way(old.a)).dot(old.normal);
+    if (!is_wall(old.a)) return (way(old.b, b) - way(old.a, a)).dot(old.normal);
     const Motion& wall = walls_.motion_before(old.a);
-    return (way(old.b) - dt * (wall.velocity + cross(wall.spin, old.point))).dot(old.normal);
+    return (way(old.b, b) - dt * (wall.velocity + cross(wall.spin, old.point))).dot(old.normal);
 }
 
-void SoftSystem::find_miss(Share& share, const SoftContact* old, double way, std::span<const double> x) const {
+void SoftSystem::find_miss(Share& share, const SoftContact* old, double way, double old_way) {
     const SoftContact& contact = share.found.back();
     double work = 0.5 * contact.elastic_normal * way;
     double turned = std::abs(work);
     Miss miss{share.found.size() - 1, -contact.stored_normal - contact.hysteresis, contact.elastic_normal};
     if (old != nullptr) {
-        const double before = 0.5 * old->elastic_normal * way_of(*old, accepted_x_, x, time_ - accepted_time_);
+        const double before = 0.5 * old->elastic_normal * old_way;
         work += before;
         turned += std::abs(before);
         miss.energy += old->stored_normal;

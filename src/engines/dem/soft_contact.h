@@ -21,22 +21,31 @@ struct SoftContact {
     double damping = 0.0;         ///< what the law makes of the restitution at birth; see soft_law.h
     double stretch = 0.0;         ///< of the tangential spring [m]; walton_braun: its force [N/m]
     double turning = 0.0;         ///< walton_braun: that force when the sliding last turned [N/m]
-    double pressed = 0.0;         ///< normal force at the last evaluation, never negative [N/m]
     double largest = 0.0;         ///< overlap so far [m], walton_braun
-    double spent = 0.0;           ///< energy lost to hysteresis since birth [J/m]
-    Vec2 impulse = Vec2::Zero();  ///< on b since the beginning of the engine's step [N s/m]
+    Vec2 impulse = Vec2::Zero();  ///< on b since the beginning of the engine's step, up to the evaluation [N s/m]
 
-    void take_memory(const SoftContact& old) {
+    /// `weight`: time for which the old forces have acted [s].
+    void take_memory(const SoftContact& old, double weight) {
+        normal_force = old.normal_force;
         damping = old.damping;
         stretch = old.stretch;
         turning = old.turning;
-        pressed = old.pressed;
         largest = old.largest;
-        spent = old.spent;
-        impulse = old.impulse;
+        impulse = old.impulse + weight * old.force();
     }
 
     Vec2 force() const { return normal_force * normal + sliding_force * left_normal(normal); }
+};
+
+/// Energy in springs [J/m].
+struct StoredEnergy {
+    double normal = 0.0;
+    double sliding = 0.0;
+    double total() const { return normal + sliding; }
+    void add(const SoftContact& contact) {
+        normal += contact.stored_normal;
+        sliding += contact.stored_sliding;
+    }
 };
 
 /// One place where two bodies overlap, as the geometry sees it.

@@ -182,9 +182,8 @@ double normal_response(const PairSoftLaw& pair, const Touch& touch, double mass,
             const Hysteretic h = walton_braun_spring(touch.depth, c.largest, pair.stiffness, c.damping);
             c.elastic_normal = h.force;
             c.stored_normal = h.energy;
+            c.hysteresis = h.lost - walton_braun_loss(c.largest, pair.stiffness, c.damping);
             c.largest = h.largest;
-            c.hysteresis = h.lost - c.spent;
-            c.spent = h.lost;
             return 0.0;
         }
         case NormalLaw::hertz:
@@ -207,6 +206,7 @@ double normal_response(const PairSoftLaw& pair, const Touch& touch, double mass,
 
 void respond(const PairSoftLaw& pair, const Touch& touch, double mass, double closing, double sliding, double way,
              SoftContact& c) {
+    const double pressed = std::max(0.0, c.normal_force);
     const double damping = normal_response(pair, touch, mass, c);
     c.normal_force = damped_force(c.elastic_normal, damping, closing, pair.law.tension);
     const double push = std::max(0.0, c.normal_force);
@@ -221,14 +221,13 @@ void respond(const PairSoftLaw& pair, const Touch& touch, double mass, double cl
             tangential = viscous_slider(pair.law.tangential_damping * damping, sliding, limit);
             break;
         case TangentialLaw::walton_braun: {
-            const IncrementalMemory memory = walton_braun_tangential({c.stretch, c.turning, c.pressed}, way,
+            const IncrementalMemory memory = walton_braun_tangential({c.stretch, c.turning, pressed}, way,
                                                                      pair.tangential_stiffness, push, pair.friction);
             c.turning = memory.turning;
             tangential = {-memory.force, memory.force, 0.0};
             break;
         }
     }
-    c.pressed = push;
     c.sliding_force = tangential.force;
     c.stretch = tangential.stretch;
     c.stored_sliding = tangential.energy;

@@ -67,8 +67,9 @@ private:
 /// unloading of Walton and Braun's [N/m^2]; for others the ratio of critical damping.
 double damping_of(const PairSoftLaw& law, double restitution, double mass, bool by_depth, DampingRatio& ratio);
 
-/// Fills in the forces of a contact whose place and memory stand: `closing` and `sliding` are the velocities of b
-/// relative to a against the normal and along the tangent [m/s], `way` the sliding since the memory was made [m].
+/// Fills in the forces of a contact whose place and memory stand, the normal force of the last evaluation among it:
+/// `closing` and `sliding` are the velocities of b relative to a against the normal and along the tangent [m/s], `way`
+/// the sliding since the memory was made [m].
 void respond(const PairSoftLaw& law, const Touch& touch, double mass, double closing, double sliding, double way,
              SoftContact& contact);
 

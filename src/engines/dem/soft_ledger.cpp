@@ -16,42 +16,27 @@ void account_wall(int wall, const Motion& motion, const Vec2& point, const Vec2&
 
 }  // namespace
 
-void account_rates(SoftSystem& system, std::span<const double> x, std::span<const double> v, double weight,
+void account_rates(const SoftSystem& system, std::span<const double> x, std::span<const double> v, double weight,
                    StepReport& report) {
-    for (SoftContact& c : system.contacts()) {
+    for (const SoftContact& c : system.contacts()) {
         const Motion wall = system.wall_motion(c.a);
         const Vec2 relative = SoftSystem::relative_velocity(c, wall, x, v);
         report.ledger.restitution_loss -= weight * (c.normal_force - c.elastic_normal) * relative.dot(c.normal);
         report.ledger.friction_loss -= weight * c.sliding_force * relative.dot(left_normal(c.normal));
-        const Vec2 impulse = weight * c.force();
-        c.impulse += impulse;
-        if (!is_wall(c.a)) continue;
-        account_wall(wall_index(c.a), wall, c.point, impulse, report);
+        if (is_wall(c.a)) account_wall(wall_index(c.a), wall, c.point, weight * c.force(), report);
     }
 }
 
 void account_losses(const SoftSystem& system, StepReport& report) {
-    for (const SoftContact& c : system.contacts()) {
-        report.ledger.restitution_loss += c.hysteresis;
-        report.deepest = std::max(report.deepest, c.depth);
-    }
     const SoftSystem::Turnover& turnover = system.turnover();
-    report.ledger.restitution_loss += turnover.dropped;
+    report.deepest = std::max(report.deepest, turnover.deepest);
+    report.ledger.restitution_loss += turnover.hysteresis + turnover.dropped;
     report.impacts += turnover.born;
     const SoftSystem::Balance& balance = system.balance();
     report.ledger.restitution_loss -= balance.spared;
     for (const auto& [wall, point, impulse] : balance.on_walls) {
         account_wall(wall, system.wall_motion(wall_body(wall)), point, impulse, report);
     }
-}
-
-StoredEnergy stored_energy(const SoftSystem& system) {
-    StoredEnergy sum;
-    for (const SoftContact& c : system.contacts()) {
-        sum.normal += c.stored_normal;
-        sum.sliding += c.stored_sliding;
-    }
-    return sum;
 }
 
 }  // namespace polargrain

@@ -4,13 +4,12 @@ namespace polargrain {
 
 namespace {
 
-constexpr std::size_t k_reals = 19;
+constexpr std::size_t k_reals = 15;
 
 void append(const SoftContact& c, std::vector<double>& reals) {
-    reals.insert(reals.end(),
-                 {c.point.x(), c.point.y(), c.normal.x(), c.normal.y(), c.depth, c.normal_force, c.elastic_normal,
-                  c.sliding_force, c.stored_normal, c.stored_sliding, c.hysteresis, c.damping, c.stretch, c.turning,
-                  c.pressed, c.largest, c.spent, c.impulse.x(), c.impulse.y()});
+    reals.insert(reals.end(), {c.point.x(), c.point.y(), c.normal.x(), c.normal.y(), c.depth, c.normal_force,
+                               c.elastic_normal, c.sliding_force, c.stored_normal, c.stored_sliding, c.hysteresis,
+                               c.damping, c.stretch, c.turning, c.largest});
 }
 
 SoftContact contact_from(std::int64_t a, std::int64_t b, const double* r) {
@@ -19,12 +18,11 @@ SoftContact contact_from(std::int64_t a, std::int64_t b, const double* r) {
     c.b = static_cast<BodyIndex>(b);
     c.point = {r[0], r[1]};
     c.normal = {r[2], r[3]};
-    double* const values[] = {&c.depth,          &c.normal_force, &c.elastic_normal, &c.sliding_force, &c.stored_normal,
-                              &c.stored_sliding, &c.hysteresis,   &c.damping,        &c.stretch,       &c.turning,
-                              &c.pressed,        &c.largest,      &c.spent};
+    double* const values[] = {&c.depth,         &c.normal_force,   &c.elastic_normal, &c.sliding_force,
+                              &c.stored_normal, &c.stored_sliding, &c.hysteresis,     &c.damping,
+                              &c.stretch,       &c.turning,        &c.largest};
     std::size_t k = 4;
     for (double* value : values) *value = r[k++];
-    c.impulse = {r[k], r[k + 1]};
     return c;
 }
 
@@ -45,8 +43,10 @@ void SoftSystem::load(const Checkpoint& checkpoint) {
     const auto& bodies = checkpoint.integers("dem/bodies");
     const auto& reals = checkpoint.reals("dem/contacts");
     contacts_.clear();
+    turnover_ = {};
     for (std::size_t k = 0; 2 * k < bodies.size(); ++k) {
         contacts_.push_back(contact_from(bodies[2 * k], bodies[2 * k + 1], reals.data() + k_reals * k));
+        turnover_.stored.add(contacts_.back());
     }
 }
 

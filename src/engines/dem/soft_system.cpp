@@ -12,6 +12,9 @@ namespace {
 /// Below that many candidates a thread costs more than it brings.
 constexpr std::size_t k_pairs_worth_a_thread = 300;
 
+/// Candidates whose contacts stay in a core's cache until their forces are summed.
+constexpr std::size_t k_batch = 512;
+
 bool before(const SoftContact& c, BodyIndex a, BodyIndex b) { return c.a != a ? c.a < a : c.b < b; }
 
 }  // namespace
@@ -32,51 +35,76 @@ SoftSystem::SoftSystem(const Scene& scene, const DemSettings& settings)
 
 void SoftSystem::accelerations(double time, std::span<const double> x, std::span<const double> v, std::span<double> a) {
     time_ = time;
-    evaluated_x_.assign(x.begin(), x.end());
+    evaluated_x_ = x;
     walls_.place(time);
     candidates_.update(x, walls_);
     place_polygons(x);
-    find_contacts(x, v);
-    sum_forces(x, a);
+    find_contacts(x, v, a);
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        a[3 * k] = a[3 * k] * bodies_[k].inverse_mass + scene_.gravity.x();
+        a[3 * k + 1] = a[3 * k + 1] * bodies_[k].inverse_mass + scene_.gravity.y();
+        a[3 * k + 2] *= bodies_[k].inverse_inertia;
+    }
 }
 
-// Each thread takes a run of the sorted pairs, the first the walls besides; one after the other their finds are sorted.
-void SoftSystem::find_contacts(std::span<const double> x, std::span<const double> v) {
+void SoftSystem::find_contacts(std::span<const double> x, std::span<const double> v, std::span<double> forces) {
     recalled_.assign(contacts_.size(), 0);
-    const std::span<const GrainPair> pairs = candidates_.pairs();
-    const std::size_t used = std::min(shares_.size(), 1 + pairs.size() / k_pairs_worth_a_thread);
-    const auto count = static_cast<int>(used);
-#pragma omp parallel for num_threads(count) schedule(static, 1) if (count > 1)
-    for (int t = 0; t < count; ++t) {
-        const auto number = static_cast<std::size_t>(t);
-        Share& share = shares_[number];
-        share.found.clear();
-        share.missed.clear();
-        share.cursor = 0;
-        share.born = 0;
-        const std::size_t first = pairs.size() * number / used;
-        const std::size_t last = pairs.size() * (number + 1) / used;
-        if (t == 0) meet_walls(share, x, v);
-        meet_grains(share, pairs.subspan(first, last - first), x, v);
+    next_turnover_ = {};
+    std::fill(forces.begin(), forces.end(), 0.0);
+    const std::size_t used = std::min(shares_.size(), 1 + candidates_.pairs().size() / k_pairs_worth_a_thread);
+    for (std::size_t t = 0; t < used; ++t) shares_[t].clear();
+    if (used == 1) {
+        find_alone(x, v, forces);
+    } else {
+        find_together(static_cast<int>(used), x, v, forces);
     }
     next_.swap(shares_[0].found);
-    next_turnover_ = {};
-    next_turnover_.born = shares_[0].born;
     next_missed_.swap(shares_[0].missed);
-    for (std::size_t t = 1; t < used; ++t) {
-        for (Miss& miss : shares_[t].missed) {
-            miss.contact += next_.size();
-            next_missed_.push_back(miss);
-        }
-        next_.insert(next_.end(), shares_[t].found.begin(), shares_[t].found.end());
-        next_turnover_.born += shares_[t].born;
-    }
+    for (std::size_t t = 0; t < used; ++t) next_turnover_.born += shares_[t].born;
     next_ended_.clear();
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
         if (recalled_[k] != 0) continue;
         drop(contacts_[k]);
         next_ended_.push_back(k);
     }
+}
+
+// The forces of a batch are summed while it is in the cache still.
+void SoftSystem::find_alone(std::span<const double> x, std::span<const double> v, std::span<double> forces) {
+    Share& share = shares_[0];
+    meet_walls(share, x, v);
+    const std::span<const GrainPair> pairs = candidates_.pairs();
+    std::size_t summed = 0;
+    for (std::size_t first = 0; first < pairs.size() || summed < share.found.size(); first += k_batch) {
+        const std::size_t begin = std::min(first, pairs.size());
+        meet_grains(share, pairs.subspan(begin, std::min(k_batch, pairs.size() - begin)), x, v);
+        sum_forces(std::span(share.found).subspan(summed), x, forces);
+        summed = share.found.size();
+    }
+}
+
+// Each thread takes a run of the sorted pairs, the first the walls besides; one after the other their finds are sorted.
+void SoftSystem::find_together(int threads, std::span<const double> x, std::span<const double> v,
+                               std::span<double> forces) {
+    const std::span<const GrainPair> pairs = candidates_.pairs();
+    const auto used = static_cast<std::size_t>(threads);
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+    for (int t = 0; t < threads; ++t) {
+        const auto number = static_cast<std::size_t>(t);
+        const std::size_t first = pairs.size() * number / used;
+        const std::size_t last = pairs.size() * (number + 1) / used;
+        if (t == 0) meet_walls(shares_[0], x, v);
+        meet_grains(shares_[number], pairs.subspan(first, last - first), x, v);
+    }
+    Share& all = shares_[0];
+    for (std::size_t t = 1; t < used; ++t) {
+        for (Miss& miss : shares_[t].missed) {
+            miss.contact += all.found.size();
+            all.missed.push_back(miss);
+        }
+        all.found.insert(all.found.end(), shares_[t].found.begin(), shares_[t].found.end());
+    }
+    sum_forces(all.found, x, forces);
 }
 
 void SoftSystem::accept(double time, std::span<const double> x) {
@@ -203,8 +231,9 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
     const Vec2 arm_b = touch.point - place(x, b);
     const Vec2 tangent = left_normal(touch.normal);
     Vec2 relative = velocity_at(v, b, arm_b);
-    const std::size_t j = 3 * Grains::at(b);
-    Vec2 way = Vec2(x[j] - accepted_x_[j], x[j + 1] - accepted_x_[j + 1]) + cross(x[j + 2] - accepted_x_[j + 2], arm_b);
+    const Shift shift_b = shift_of(b, accepted_x_, x);
+    Vec2 way = shift_b.way + cross(shift_b.turn, arm_b);
+    Shift shift_a;
     Vec2 arm_a = Vec2::Zero();
     if (is_wall(a)) {
         const Motion& wall = walls_.motion(a);
@@ -214,15 +243,15 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
     } else {
         arm_a = touch.point - place(x, a);
         relative -= velocity_at(v, a, arm_a);
-        const std::size_t i = 3 * Grains::at(a);
-        way -= Vec2(x[i] - accepted_x_[i], x[i + 1] - accepted_x_[i + 1]) + cross(x[i + 2] - accepted_x_[i + 2], arm_a);
+        shift_a = shift_of(a, accepted_x_, x);
+        way -= shift_a.way + cross(shift_a.turn, arm_a);
     }
     const PairSoftLaw& law = law_of(a, b);
     // Springs by depth ask for it once only.
     const double mass = old == nullptr || !touch.by_depth ? effective_mass(contact, arm_a, arm_b) : 0.0;
     double sliding_way = way.dot(tangent);
     if (old != nullptr) {
-        contact.take_memory(*old);
+        contact.take_memory(*old, weight_);
     } else {
         // The sliding before it was born is not the spring's business.
         sliding_way = 0.0;
@@ -230,7 +259,8 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
         ++share.born;
     }
     respond(law, touch, mass, -relative.dot(touch.normal), relative.dot(tangent), sliding_way, contact);
-    find_miss(share, old, way.dot(touch.normal), x);
+    const double old_way = old != nullptr ? way_of(*old, shift_a, shift_b, accepted_x_, time_ - accepted_time_) : 0.0;
+    find_miss(share, old, way.dot(touch.normal), old_way);
 }
 
 /// Which old contact of a pair goes on in which of its touches: those that are nearest to one another first, so that a
@@ -272,25 +302,25 @@ void SoftSystem::drop(const SoftContact& contact) {
     }
 }
 
-void SoftSystem::sum_forces(std::span<const double> x, std::span<double> a) const {
-    std::fill(a.begin(), a.end(), 0.0);
-    for (const SoftContact& c : next_) {
+void SoftSystem::sum_forces(std::span<const SoftContact> contacts, std::span<const double> x,
+                            std::span<double> forces) {
+    Turnover found = next_turnover_;
+    for (const SoftContact& c : contacts) {
+        found.hysteresis += c.hysteresis;
+        found.deepest = std::max(found.deepest, c.depth);
+        found.stored.add(c);
         const Vec2 force = c.force();
         const std::size_t j = 3 * Grains::at(c.b);
-        a[j] += force.x();
-        a[j + 1] += force.y();
-        a[j + 2] += cross(c.point - place(x, c.b), force);
+        forces[j] += force.x();
+        forces[j + 1] += force.y();
+        forces[j + 2] += cross(c.point - place(x, c.b), force);
         if (is_wall(c.a)) continue;
         const std::size_t i = 3 * Grains::at(c.a);
-        a[i] -= force.x();
-        a[i + 1] -= force.y();
-        a[i + 2] -= cross(c.point - place(x, c.a), force);
+        forces[i] -= force.x();
+        forces[i + 1] -= force.y();
+        forces[i + 2] -= cross(c.point - place(x, c.a), force);
     }
-    for (std::size_t k = 0; k < bodies_.size(); ++k) {
-        a[3 * k] = a[3 * k] * bodies_[k].inverse_mass + scene_.gravity.x();
-        a[3 * k + 1] = a[3 * k + 1] * bodies_[k].inverse_mass + scene_.gravity.y();
-        a[3 * k + 2] *= bodies_[k].inverse_inertia;
-    }
+    next_turnover_ = found;
 }
 
 }  // namespace polargrain

@@ -33,7 +33,7 @@ public:
     /// set back to zero.
     void set_accepted(double time, std::span<const double> x);
     /// Solves (1 - factor da/dx) dx = residual with the contacts found last, of
-    /// which those that slip count as frictionless.
+    /// which those that slip count as frictionless, at the coordinates that they were found at, which must still stand.
     void solve_implicit(double factor, std::span<const double> residual, std::span<double> dx) const;
 
     /// After `accept`, for a step of kick, drift and kick of the length h [s]: adds impulses along the normals of
@@ -42,6 +42,8 @@ public:
 
     const std::vector<SoftContact>& contacts() const { return contacts_; }
     std::vector<SoftContact>& contacts() { return contacts_; }
+    /// For how long the accepted forces act [s], as far as the contacts' impulses go.
+    void weigh(double time) { weight_ = time; }
     /// Of the body's material where it is a wall, at the world's origin; none for a grain.
     Motion wall_motion(BodyIndex body) const { return is_wall(body) ? walls_.motion(body) : Motion{}; }
     /// Of b's material against a's at a contact [m/s]; `wall`: how a moves if it is a wall.
@@ -69,10 +71,13 @@ public:
     };
     const Balance& balance() const { return balance_; }
 
-    /// What the last accepted evaluation ended and began.
+    /// What the last accepted evaluation ended, began and found.
     struct Turnover {
         std::int64_t born = 0;
-        double dropped = 0.0;  ///< energy left in the springs of contacts that a removed wall ended [J/m]
+        double dropped = 0.0;     ///< energy left in the springs of contacts that a removed wall ended [J/m]
+        double hysteresis = 0.0;  ///< energy spent by normal laws [J/m]
+        double deepest = 0.0;     ///< overlap of all contacts [m]
+        StoredEnergy stored;
     };
     const Turnover& turnover() const { return turnover_; }
 
@@ -104,9 +109,20 @@ private:
         std::vector<Miss> missed;
         std::size_t cursor = 0;  ///< first old contact that has not been passed
         std::int64_t born = 0;
+
+        void clear() {
+            found.clear();
+            missed.clear();
+            cursor = 0;
+            born = 0;
+        }
     };
 
-    void find_contacts(std::span<const double> x, std::span<const double> v);
+    void find_contacts(std::span<const double> x, std::span<const double> v, std::span<double> forces);
+    /// One thread alone finds all.
+    void find_alone(std::span<const double> x, std::span<const double> v, std::span<double> forces);
+    /// Several threads find their shares.
+    void find_together(int threads, std::span<const double> x, std::span<const double> v, std::span<double> forces);
     void meet_walls(Share& share, std::span<const double> x, std::span<const double> v);
     void meet_grains(Share& share, std::span<const GrainPair> pairs, std::span<const double> x,
                      std::span<const double> v);
@@ -117,11 +133,26 @@ private:
                      std::span<const double> x, std::span<const double> v);
     void recall(Share& share, BodyIndex a, BodyIndex b);
     void drop(const SoftContact& contact);
-    /// Enters the miss of the contact found last, if it is worth mending; `way`: by which the bodies have parted along
-    /// its normal [m].
-    void find_miss(Share& share, const SoftContact* old, double way, std::span<const double> x) const;
-    /// Way by which the bodies of an old contact have parted along its normal during the time dt [s] since [m].
-    double way_of(const SoftContact& old, std::span<const double> from, std::span<const double> to, double dt) const;
+    /// Enters the miss of the contact found last, if it is worth mending; `way` and `old_way`: by which the bodies have
+    /// parted along its normal and along that of the old contact [m].
+    static void find_miss(Share& share, const SoftContact* old, double way, double old_way);
+    /// How far a grain has gone [m] and turned [rad].
+    struct Shift {
+        Vec2 way = Vec2::Zero();
+        double turn = 0.0;
+    };
+    static Shift shift_of(BodyIndex grain, std::span<const double> from, std::span<const double> to) {
+        const std::size_t k = 3 * Grains::at(grain);
+        return {{to[k] - from[k], to[k + 1] - from[k + 1]}, to[k + 2] - from[k + 2]};
+    }
+    /// Way by which the bodies of an old contact have parted along its normal during the time dt [s] since [m]; a
+    /// wall's shift is not looked at.
+    double way_of(const SoftContact& old, const Shift& a, const Shift& b, std::span<const double> from,
+                  double dt) const;
+    double way_of(const SoftContact& old, std::span<const double> from, std::span<const double> to, double dt) const {
+        const Shift a = is_wall(old.a) ? Shift{} : shift_of(old.a, from, to);
+        return way_of(old, a, shift_of(old.b, from, to), from, dt);
+    }
     void end_contact(const SoftContact& old, double h, std::span<double> v);
     /// The impulse on b that adds the energy [J/m], but at most `most` [N s/m].
     Vec2 balance(const SoftContact& c, std::span<const double> x, double energy, double most, std::span<double> v);
@@ -138,7 +169,8 @@ private:
     }
     double effective_mass(const SoftContact& contact, const Vec2& arm_a, const Vec2& arm_b) const;
     const PairSoftLaw& law_of(BodyIndex a, BodyIndex b) const;
-    void sum_forces(std::span<const double> x, std::span<double> a) const;
+    /// Adds forces [N/m] and torques [N] of contacts, and what they hold.
+    void sum_forces(std::span<const SoftContact> contacts, std::span<const double> x, std::span<double> forces);
 
     const Scene& scene_;
     SoftLaws laws_;
@@ -157,8 +189,9 @@ private:
     std::vector<Miss> missed_, next_missed_;
     Turnover turnover_, next_turnover_;
     Balance balance_;
-    std::vector<double> evaluated_x_;  ///< of the evaluation at hand
-    double accepted_time_ = 0.0;       ///< [s]
+    std::span<const double> evaluated_x_;  ///< of the evaluation at hand
+    double accepted_time_ = 0.0;           ///< [s]
+    double weight_ = 0.0;                  ///< [s]
     std::vector<double> accepted_x_, previous_x_;
 };
 

@@ -7,14 +7,6 @@
 
 namespace polargrain {
 
-// The slider holds the spring within the limit, then what spring and dashpot do together. Moving the spring to where
-// the sum of both is at the limit, as in [K02, eq. 10], would stretch it with energy from nowhere.
-Tangential spring_slider(double stretch, double k, double damping, double sliding, double limit) {
-    const double most = limit / k;
-    const double held = k > 0.0 ? std::clamp(stretch, -most, most) : 0.0;
-    return {std::clamp(-k * held - damping * sliding, -limit, limit), held, 0.5 * k * held * held};
-}
-
 Tangential viscous_slider(double damping, double sliding, double limit) {
     return {std::clamp(-damping * sliding, -limit, limit), 0.0, 0.0};
 }

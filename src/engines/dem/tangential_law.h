@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace polargrain {
 
 /// Tangential force of a contact and what it keeps for the next step. Force and sliding count along the contact's
@@ -14,7 +16,13 @@ struct Tangential {
 ///
 /// stretch [m] already includes the sliding of this step; k [N/m^2], damping [N s/m^2], sliding [m/s], limit [N/m] =
 /// friction x normal force. Where it slips, the spring is left as stretched as the limit allows.
-Tangential spring_slider(double stretch, double k, double damping, double sliding, double limit);
+inline Tangential spring_slider(double stretch, double k, double damping, double sliding, double limit) {
+    // The slider holds the spring within the limit, then what spring and dashpot do together. Moving the spring to
+    // where the sum of both is at the limit, as in [K02, eq. 10], would stretch it with energy from nowhere.
+    const double most = limit / k;
+    const double held = k > 0.0 ? std::clamp(stretch, -most, most) : 0.0;
+    return {std::clamp(-k * held - damping * sliding, -limit, limit), held, 0.5 * k * held * held};
+}
 
 /// Coulomb's slider made continuous by a dashpot: -min(limit, damping |sliding|), without memory.
 Tangential viscous_slider(double damping, double sliding, double limit);
