@@ -6,12 +6,17 @@
 
 namespace polargrain {
 
-Candidates::Candidates(const Scene& scene, const DemSettings& settings) : finder_(settings.search) {
-    const double share = settings.search == PairSearch::verlet ? settings.skin : 0.0;
+Candidates::Candidates(const Scene& scene, const DemSettings& settings)
+    : scene_(scene), finder_(settings.search), skin_(settings.search == PairSearch::verlet ? settings.skin : 0.0) {}
+
+void Candidates::renumber(const Numbering& numbers) {
+    built_ = false;
+    radii_.clear();
+    margin_.clear();
     least_margin_ = std::numeric_limits<double>::infinity();
-    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
-        radii_.push_back(outer_radius(scene.shape_of(k)));
-        margin_.push_back(share * radii_.back());
+    for (const GrainIndex k : numbers) {
+        radii_.push_back(outer_radius(scene_.shape_of(k)));
+        margin_.push_back(skin_ * radii_.back());
         least_margin_ = std::min(least_margin_, margin_.back());
     }
 }

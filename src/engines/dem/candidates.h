@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "src/engines/dem/numbering.h"
 #include "src/engines/dem/pair_search.h"
 #include "src/engines/dem/soft_walls.h"
 
@@ -19,6 +20,9 @@ class Candidates {
 public:
     Candidates(const Scene& scene, const DemSettings& settings);
 
+    /// Which grain of the scene stands at each place; the lists are made anew.
+    void renumber(const Numbering& numbers);
+
     /// Brings the lists up to date for grains at (x[3k], x[3k + 1]) and walls as placed.
     void update(std::span<const double> x, const SoftWalls& walls);
 
@@ -30,7 +34,9 @@ private:
     bool still_good(std::span<const double> x, const SoftWalls& walls) const;
     void rebuild(std::span<const double> x, const SoftWalls& walls);
 
+    const Scene& scene_;
     PairFinder finder_;
+    double skin_;  ///< margin over a grain's radius
     std::vector<double> radii_;
     std::vector<double> margin_;  ///< of each grain [m]
     double least_margin_ = 0.0;

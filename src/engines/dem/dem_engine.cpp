@@ -12,6 +12,15 @@ namespace polargrain {
 
 namespace {
 
+/// After how many steps the engine looks whether its numbers still follow where grains are: mixing takes longer.
+constexpr std::int64_t k_look_every = 8;
+
+double mean_diameter(const Scene& scene) {
+    double sum = 0.0;
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) sum += 2.0 * outer_radius(scene.shape_of(k));
+    return sum / static_cast<double>(scene.grains.size());
+}
+
 class DemEngine final : public Engine {
 public:
     DemEngine(const Scene& scene, const DemSettings& settings)
@@ -27,6 +36,7 @@ public:
     void step(World& world, double dt, StepReport& report) override {
         report.clear(scene_.walls.size());
         system_.set_step(world.step);
+        if (world.step % k_look_every == 0 && system_.is_scattered()) renumber(world.grains);
         read(world);
         const auto parts = static_cast<std::int64_t>(parts_of_step(dt));
         const double h = dt / static_cast<double>(parts);
@@ -62,6 +72,13 @@ public:
     }
 
 private:
+    void renumber(const Grains& grains) {
+        const Numbering before = system_.numbers();
+        system_.renumber(numbers_by_rows(grains, mean_diameter(scene_)));
+        move_coordinates(before, system_.numbers(), state_.a);
+        std::visit([&](auto& scheme) { move_coordinates(before, system_.numbers(), scheme.memory); }, integrator_);
+    }
+
     /// The world decides where grains are; accelerations are kept from the step before.
     void read(const World& world) {
         const Grains& grains = world.grains;
@@ -69,13 +86,14 @@ private:
         state_.time = world.time;
         state_.x.resize(n);
         state_.v.resize(n);
-        for (std::size_t k = 0; k < grains.x.size(); ++k) {
-            state_.x[3 * k] = grains.x[k];
-            state_.x[3 * k + 1] = grains.y[k];
-            state_.x[3 * k + 2] = grains.angle[k];
-            state_.v[3 * k] = grains.vx[k];
-            state_.v[3 * k + 1] = grains.vy[k];
-            state_.v[3 * k + 2] = grains.spin[k];
+        for (std::size_t k = 0; k < n / 3; ++k) {
+            const std::size_t grain = Grains::at(system_.numbers()[k]);
+            state_.x[3 * k] = grains.x[grain];
+            state_.x[3 * k + 1] = grains.y[grain];
+            state_.x[3 * k + 2] = grains.angle[grain];
+            state_.v[3 * k] = grains.vx[grain];
+            state_.v[3 * k + 1] = grains.vy[grain];
+            state_.v[3 * k + 2] = grains.spin[grain];
         }
         system_.set_accepted(state_.time, state_.x);
         if (state_.a.size() == n) return;
@@ -130,7 +148,8 @@ private:
         for (std::size_t k = 0; k < grains.x.size(); ++k) {
             const Vec2 linear(state_.a[3 * k], state_.a[3 * k + 1]);
             const double angular = state_.a[3 * k + 2];
-            sum += grains.mass[k] * linear.squaredNorm() + grains.inertia[k] * angular * angular;
+            const std::size_t grain = Grains::at(system_.numbers()[k]);
+            sum += grains.mass[grain] * linear.squaredNorm() + grains.inertia[grain] * angular * angular;
         }
         return 0.125 * h * h * sum;
     }
@@ -138,19 +157,27 @@ private:
     void write(World& world) const {
         Grains& grains = world.grains;
         for (std::size_t k = 0; k < grains.x.size(); ++k) {
-            grains.x[k] = state_.x[3 * k];
-            grains.y[k] = state_.x[3 * k + 1];
-            grains.angle[k] = state_.x[3 * k + 2];
-            grains.vx[k] = state_.v[3 * k];
-            grains.vy[k] = state_.v[3 * k + 1];
-            grains.spin[k] = state_.v[3 * k + 2];
+            const std::size_t grain = Grains::at(system_.numbers()[k]);
+            grains.x[grain] = state_.x[3 * k];
+            grains.y[grain] = state_.x[3 * k + 1];
+            grains.angle[grain] = state_.x[3 * k + 2];
+            grains.vx[grain] = state_.v[3 * k];
+            grains.vy[grain] = state_.v[3 * k + 1];
+            grains.spin[grain] = state_.v[3 * k + 2];
         }
     }
 
-    /// `weight`: for how long the forces at the end have acted [s].
+    /// Under the scene's numbers, sorted by them. `weight`: for how long the forces at the end have acted [s].
     void report_contacts(double weight, StepReport& report) {
-        for (SoftContact& c : system_.contacts()) {
-            report.contacts.push_back({c.a, c.b, c.point, c.normal, -c.depth, c.impulse + weight * c.force()});
+        std::vector<SoftContact>& contacts = system_.contacts();
+        const auto number = [&](BodyIndex body) { return is_wall(body) ? body : system_.numbers()[Grains::at(body)]; };
+        pairs_.clear();
+        for (const SoftContact& c : contacts) pairs_.push_back(std::minmax({number(c.a), number(c.b)}));
+        for (const std::uint32_t k : sorter_.sort(pairs_, scene_.walls.size(), scene_.grains.x.size())) {
+            SoftContact& c = contacts[k];
+            const double sign = number(c.a) == pairs_[k].first ? 1.0 : -1.0;
+            const Vec2 impulse = sign * (c.impulse + weight * c.force());
+            report.contacts.push_back({pairs_[k].first, pairs_[k].second, c.point, sign * c.normal, -c.depth, impulse});
             c.impulse = Vec2::Zero();
         }
     }
@@ -173,6 +200,8 @@ private:
     Integrator integrator_;
     double longest_part_;  ///< [s]
     SchemeState state_;
+    std::vector<PairSorter::Pair> pairs_;  ///< of the contacts, under the scene's numbers
+    PairSorter sorter_;
     std::vector<double> at_work_;                       ///< velocities of a half step
     std::vector<std::pair<std::size_t, double>> kept_;  ///< index and value of velocities set aside
 };

@@ -29,6 +29,7 @@ SoftContact contact_from(std::int64_t a, std::int64_t b, const double* r) {
 }  // namespace
 
 void SoftSystem::save(Checkpoint& checkpoint) const {
+    checkpoint.put("dem/numbers", std::vector<std::int64_t>(numbers_.begin(), numbers_.end()));
     std::vector<std::int64_t> bodies;
     std::vector<double> reals;
     for (const SoftContact& c : contacts_) {
@@ -40,6 +41,8 @@ void SoftSystem::save(Checkpoint& checkpoint) const {
 }
 
 void SoftSystem::load(const Checkpoint& checkpoint) {
+    const auto& numbers = checkpoint.integers("dem/numbers");
+    adopt(Numbering(numbers.begin(), numbers.end()));
     const auto& bodies = checkpoint.integers("dem/bodies");
     const auto& reals = checkpoint.reals("dem/contacts");
     contacts_.clear();

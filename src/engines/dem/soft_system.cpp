@@ -23,14 +23,8 @@ SoftSystem::SoftSystem(const Scene& scene, const DemSettings& settings)
     : scene_(scene), laws_(scene, settings), walls_(scene), candidates_(scene, settings) {
     shares_.assign(static_cast<std::size_t>(std::max(1, scene.threads)),
                    Share{TouchFinder(settings), {}, {}, {}, {}, {}, 0, 0});
-    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
-        const Shape& shape = scene.shape_of(k);
-        const bool disk = std::holds_alternative<Disk>(shape);
-        bodies_.push_back({1.0 / scene.grains.mass[Grains::at(k)], 1.0 / scene.grains.inertia[Grains::at(k)],
-                           outer_radius(shape), scene.grains.material[Grains::at(k)], disk});
-        any_polygon_ = any_polygon_ || !disk;
-    }
-    poses_.resize(bodies_.size());
+    adopt(own_numbers(scene.grains.size()));
+    any_polygon_ = std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return !body.disk; });
 }
 
 void SoftSystem::accelerations(double time, std::span<const double> x, std::span<const double> v, std::span<double> a) {
@@ -156,7 +150,7 @@ void SoftSystem::touch_piece(Share& share, std::size_t piece, GrainIndex grain, 
     const std::vector<SoftPiece>& pieces = walls_.pieces();
     const Body& body = bodies_[Grains::at(grain)];
     if (!body.disk) {
-        const auto& polygon = std::get<PolarPolygon>(scene_.shape_of(grain));
+        const auto& polygon = std::get<PolarPolygon>(*body.shape);
         const double stiffness = law_of(wall_body(pieces[piece].wall), grain).linear_stiffness;
         share.geometry.find(pieces[piece], polygon, poses_[Grains::at(grain)], stiffness, share.touches);
         return;
@@ -187,7 +181,7 @@ void SoftSystem::meet_grains(Share& share, std::span<const GrainPair> pairs, std
             const Vec2 point = place(x, a) + (bodies_[i].radius - 0.5 * depth) * normal;
             share.touches.push_back({point, normal, depth, true, 0.0, 0.0});
         } else {
-            share.geometry.find(scene_.shape_of(a), poses_[i], scene_.shape_of(b), poses_[j],
+            share.geometry.find(*bodies_[i].shape, poses_[i], *bodies_[j].shape, poses_[j],
                                 law_of(a, b).linear_stiffness, share.touches);
         }
         add_contacts(share, a, b, x, v);
@@ -199,6 +193,13 @@ const PairSoftLaw& SoftSystem::law_of(BodyIndex a, BodyIndex b) const {
     const MaterialIndex of_a =
         is_wall(a) ? scene_.walls[static_cast<std::size_t>(wall_index(a))].material : bodies_[Grains::at(a)].material;
     return laws_.of(of_a, bodies_[Grains::at(b)].material);
+}
+
+double SoftSystem::restitution_at_birth(BodyIndex a, BodyIndex b) const {
+    const GrainIndex of_b = numbers_[Grains::at(b)];
+    if (is_wall(a)) return drawn_restitution(scene_, step_, a, of_b);
+    const GrainIndex of_a = numbers_[Grains::at(a)];
+    return drawn_restitution(scene_, step_, std::min(of_a, of_b), std::max(of_a, of_b));
 }
 
 /// 1 / (what a unit impulse along the normal changes the closing speed by).
@@ -255,7 +256,7 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
     } else {
         // The sliding before it was born is not the spring's business.
         sliding_way = 0.0;
-        contact.damping = damping_of(law, drawn_restitution(scene_, step_, a, b), mass, touch.by_depth, share.ratio);
+        contact.damping = damping_of(law, restitution_at_birth(a, b), mass, touch.by_depth, share.ratio);
         ++share.born;
     }
     respond(law, touch, mass, -relative.dot(touch.normal), relative.dot(tangent), sliding_way, contact);

@@ -6,6 +6,7 @@
 
 #include "src/engines/dem/candidates.h"
 #include "src/engines/dem/contact_geometry.h"
+#include "src/engines/dem/numbering.h"
 #include "src/engines/dem/soft_law.h"
 #include "src/model/checkpoint.h"
 
@@ -15,7 +16,8 @@ namespace polargrain {
 /// position [m] and angle [rad] of grain k, velocities and accelerations likewise.
 ///
 /// Contacts have memory. `accelerations` works from the memory of the last accepted state and may be asked any number
-/// of times; `accept` takes over what it found last. Threads share the search for contacts; forces are summed in the
+/// of times; `accept` takes over what it found last. Grains are numbered as `numbers` says, which is nobody's business
+/// outside the engine. Threads share the search for contacts; forces are summed in the
 /// order of the sorted contacts, so that the number of threads changes no bit.
 class SoftSystem {
 public:
@@ -39,6 +41,12 @@ public:
     /// After `accept`, for a step of kick, drift and kick of the length h [s]: adds impulses along the normals of
     /// contacts to v such that the springs have done as much work as they gave up energy.
     void balance_work(double h, std::span<double> v);
+
+    const Numbering& numbers() const { return numbers_; }
+    /// Are the numbers of touching grains far apart?
+    bool is_scattered() const;
+    /// Between two steps: all that is kept goes over to other numbers; coordinates are the caller's.
+    void renumber(const Numbering& numbers);
 
     const std::vector<SoftContact>& contacts() const { return contacts_; }
     std::vector<SoftContact>& contacts() { return contacts_; }
@@ -88,10 +96,12 @@ private:
     struct Body {
         double inverse_mass, inverse_inertia;
         double radius;  ///< outer [m]
+        const Shape* shape;
         MaterialIndex material;
         bool disk;
     };
 
+    void adopt(const Numbering& numbers);
     void place_polygons(std::span<const double> x);
     /// What the normal spring of a contact missed in the step that the last evaluation ended.
     struct Miss {
@@ -169,6 +179,7 @@ private:
     }
     double effective_mass(const SoftContact& contact, const Vec2& arm_a, const Vec2& arm_b) const;
     const PairSoftLaw& law_of(BodyIndex a, BodyIndex b) const;
+    double restitution_at_birth(BodyIndex a, BodyIndex b) const;
     /// Adds forces [N/m] and torques [N] of contacts, and what they hold.
     void sum_forces(std::span<const SoftContact> contacts, std::span<const double> x, std::span<double> forces);
 
@@ -177,6 +188,7 @@ private:
     SoftWalls walls_;
     Candidates candidates_;
     std::vector<Share> shares_;  ///< one for each thread
+    Numbering numbers_;
     std::vector<Body> bodies_;
     std::vector<Pose> poses_;  ///< of polygons
     bool any_polygon_ = false;
