@@ -245,7 +245,7 @@ void add_reproduce(CLI::App& app, ReproduceRequest& request, Action& action) {
         "Examples:\n"
         "  polargrain reproduce fig7 fig9\n"
         "  polargrain reproduce fig11 -o out/paper --jobs 4\n"
-        "  polargrain reproduce kuo-mixer           (a V-mixer: 18 minutes of processor time)\n"
+        "  polargrain reproduce kuo-mixer           (a V-mixer: 15 minutes of processor time)\n"
         "  polargrain reproduce                     (everything: half an hour of processor time)\n"
         "DIR/report.html shows every figure drawn into DIR so far, with a verdict each; each figure stands beside it "
         "as PNG,\n"
