@@ -72,7 +72,7 @@ private:
         const double energy_before = energy_at(before_);
         granted_ = 0.0;
         trial_ = before_;
-        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(), report);
+        solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(halvings), report);
         correct_positions(energy_before, dt, report);
         refresh_trial();
         detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
@@ -158,7 +158,9 @@ private:
         }
     }
 
-    const GapSolver::Effort& effort() const {
+    /// Parts of a failed step are solved twice as hard with every halving: rows that press against walls need it.
+    GapSolver::Effort effort(int halvings) const {
+        if (halvings > 0) return {GapSolver::k_usual.sweeps << halvings, GapSolver::k_usual.settled};
         if (careful_ > 0) return GapSolver::k_careful;
         return at_rest_ ? GapSolver::k_at_rest : GapSolver::k_usual;
     }

@@ -31,6 +31,10 @@ struct OpeningSide {
         return normal.dot(s.way) + arm * s.turn;
     }
 
+    void stay(std::vector<Shift>& shifts) const {
+        if (grain >= 0) shifts[Grains::at(grain)] = {};
+    }
+
     void take(std::vector<Shift>& shifts, double push) const {
         if (grain < 0) return;
         shifts[Grains::at(grain)].way += push * way;
@@ -47,10 +51,23 @@ struct GapOpening {
     double push = 0.0;            ///< so far [kg], impulse of displacement per metre of depth
     OpeningSide i, j;
 
+    /// What the shifts have made of it [m].
+    double shifted(const std::vector<Shift>& shifts) const {
+        return gap + i.opened(shifts, normal) - j.opened(shifts, normal);
+    }
+
+    /// Where the shifts have closed it until its two grains overlap: takes theirs back, and returns true.
+    bool hold(std::vector<Shift>& shifts) const {
+        const double now = shifted(shifts);
+        if (now >= 0.0 || now >= gap) return false;
+        i.stay(shifts);
+        j.stay(shifts);
+        return true;
+    }
+
     /// Returns whether it has moved anything.
     bool relax(std::vector<Shift>& shifts) {
-        const double now = gap + i.opened(shifts, normal) - j.opened(shifts, normal);
-        const double wanted = std::max(0.0, push + mass * (aim - now));
+        const double wanted = std::max(0.0, push + mass * (aim - shifted(shifts)));
         const double change = wanted - push;
         if (change == 0.0) return false;
         push = wanted;

@@ -31,6 +31,7 @@ double PositionCorrection::correct(const std::vector<GapContact>& contacts, cons
         const bool backwards = s % 2 != 0;
         lanes.each_group(backwards, [&](std::size_t group) { relax(group, backwards); });
     }
+    hold_back();
     double lift = 0.0;
     for (std::size_t k = 0; k < bodies.size(); ++k) lift -= gravity.dot(shift_[k].way) / bodies[k].inverse_mass;
     const double part = lift > budget ? budget / lift : 1.0;
@@ -72,6 +73,16 @@ void PositionCorrection::relax(std::size_t group, bool backwards) {
     const std::size_t first = group > 0 ? end_[group - 1] : 0;
     const std::size_t last = end_[group];
     for (std::size_t m = 0; m < last - first; ++m) rows_[backwards ? last - 1 - m : first + m].relax(shift_);
+}
+
+/// Few sweeps push pairs into overlap where a row between walls has no room to give. These stay, and so do those that
+/// would now be pushed into them.
+void PositionCorrection::hold_back() {
+    bool held = true;
+    while (held) {
+        held = false;
+        for (const GapOpening& row : rows_) held |= row.hold(shift_);
+    }
 }
 
 }  // namespace polargrain

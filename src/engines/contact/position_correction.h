@@ -52,6 +52,7 @@ private:
     void collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Pace& pace,
                       const ContactLanes& lanes);
     void relax(std::size_t group, bool backwards);
+    void hold_back();
 
     Parallel parallel_;
     std::vector<std::int32_t> in_order_;  ///< contacts that take part, by groups
