@@ -76,7 +76,7 @@ private:
         correct_positions(energy_before, dt, report);
         refresh_trial();
         detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
-        repair(report);
+        repair(dt, report);
         if (overlapping_ > 0 && halvings < k_most_halvings) {
             take_back(report);
             const double part = settling(dt) ? 0.5 : 1.0;
@@ -204,7 +204,7 @@ private:
             refresh_trial();
             detect();
         }
-        if (repair_.run(detection_, bodies_, before_, trial_) == 0) before_ = trial_;
+        if (repair_.run(detection_, bodies_, before_, trial_, Repair::k_sweeps) == 0) before_ = trial_;
         trial_ = before_;
         detect();
         detected_ = true;
@@ -246,7 +246,7 @@ private:
     }
 
     /// Many overlapping pairs mean that the solver has not kept up: it works harder for the next steps.
-    void repair(StepReport& report) {
+    void repair(double dt, StepReport& report) {
         const auto overlapping = std::count_if(detection_.pairs().begin(), detection_.pairs().end(),
                                                [](const PairContacts& p) { return p.overlapping; });
         if (careful_ > 0) --careful_;
@@ -257,7 +257,8 @@ private:
         repair_lift_ = 0.0;
         if (overlapping == 0) return;
         const double before = energy_at(trial_);
-        overlapping_ = repair_.run(detection_, bodies_, before_, trial_);
+        const int sweeps = settling(dt) ? Repair::k_few_sweeps : Repair::k_sweeps;
+        overlapping_ = repair_.run(detection_, bodies_, before_, trial_, sweeps);
         repair_lift_ = std::max(0.0, energy_at(trial_) - before);
         report.ledger.correction += repair_lift_;
     }

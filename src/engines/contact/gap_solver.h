@@ -34,8 +34,8 @@ public:
         double settled;  ///< of g h: a sweep that changes no velocity by more ends the solve
     };
     static constexpr Effort k_usual{4, 1e-3};
-    static constexpr Effort k_careful{8, 1e-3};   ///< where many grains overlap
-    static constexpr Effort k_at_rest{8, 1e-10};  ///< where nothing moves: the forces alone are left to find
+    static constexpr Effort k_careful{8, 1e-3};    ///< where many grains overlap
+    static constexpr Effort k_at_rest{32, 1e-10};  ///< where nothing moves: the forces alone are left to find
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
 

@@ -18,7 +18,9 @@ Repair::Repair(const Scene& scene)
       island_of_(chosen_.size(), 0),
       shift_(chosen_.size()) {}
 
-int Repair::run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial) {
+int Repair::run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial,
+                int sweeps) {
+    sweeps_ = sweeps;
     const auto overlapping = [&] {
         return static_cast<int>(std::count_if(detection.pairs().begin(), detection.pairs().end(),
                                               [](const PairContacts& p) { return p.overlapping; }));
@@ -135,7 +137,7 @@ GrainIndex Repair::root_of(GrainIndex grain) {
 /// Sweeps to and fro until one has changed nothing.
 void Repair::solve_island(const Island& island) {
     const std::size_t count = island.last - island.first;
-    for (int s = 0; s < k_sweeps; ++s) {
+    for (int s = 0; s < sweeps_; ++s) {
         bool changed = false;
         for (std::size_t m = 0; m < count; ++m) {
             changed |= sorted_[s % 2 == 0 ? island.first + m : island.last - 1 - m].relax(shift_);

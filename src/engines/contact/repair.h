@@ -20,14 +20,16 @@ class Repair {
 public:
     static constexpr int k_passes = 12;
     static constexpr int k_sweeps = 60;
-    static constexpr double k_part = 0.3;  ///< of the resting gap: what overlapping pairs are opened to
-    static constexpr double k_near = 5.0;  ///< gaps beyond this many resting gaps cannot get in the way
-    static constexpr double k_ring = 1.2;  ///< neighbours through contacts nearer than this many resting gaps
+    static constexpr int k_few_sweeps = 20;  ///< in a bed that settles: rows that fill a box would lock under stress
+    static constexpr double k_part = 0.3;    ///< of the resting gap: what overlapping pairs are opened to
+    static constexpr double k_near = 5.0;    ///< gaps beyond this many resting gaps cannot get in the way
+    static constexpr double k_ring = 1.2;    ///< neighbours through contacts nearer than this many resting gaps
 
     explicit Repair(const Scene& scene);
 
-    /// Returns the number of overlapping pairs that are left.
-    int run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial);
+    /// Takes up to so many sweeps in a pass. Returns the number of overlapping pairs that are left.
+    int run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial,
+            int sweeps);
 
 private:
     void choose_grains(const GapDetection& detection, int rings);
@@ -50,6 +52,7 @@ private:
     void solve_island(const Island& island);
 
     Parallel parallel_;
+    int sweeps_ = k_sweeps;
     std::vector<char> chosen_;
     std::vector<GrainIndex> grains_;  ///< chosen, in rings
     ByGrain by_grain_;                ///< pairs
