@@ -5,6 +5,9 @@
 
 namespace polargrain {
 
+/// Vertices that a kernel works on at a time.
+inline constexpr std::ptrdiff_t k_vertices_at_once = 8;
+
 /// Loops over the vertices of an outline, compiled for several instruction sets. All give the same bits: products and
 /// sums are rounded one by one, and the largest of numbers does not depend on their order.
 ///

@@ -14,8 +14,6 @@ namespace polargrain::POLARGRAIN_OUTLINE {
 
 namespace {
 
-constexpr std::ptrdiff_t k_width = 8;
-
 using Wide = double __attribute__((vector_size(64)));
 using Bits = std::int64_t __attribute__((vector_size(64)));
 
@@ -43,12 +41,12 @@ inline std::uint64_t all(const Bits& b) {
 
 static double reach(const double* x, const double* y, std::ptrdiff_t count, double dx, double dy) {
     double most = 0.0;
-    if (count < k_width) {
+    if (count < k_vertices_at_once) {
         for (std::ptrdiff_t k = 0; k < count; ++k) most = larger(x[k] * dx + y[k] * dy, most);
         return most;
     }
-    Wide wide = stations(x + count - k_width, y + count - k_width, dx, dy);
-    for (std::ptrdiff_t k = 0; k + k_width < count; k += k_width) {
+    Wide wide = stations(x + count - k_vertices_at_once, y + count - k_vertices_at_once, dx, dy);
+    for (std::ptrdiff_t k = 0; k + k_vertices_at_once < count; k += k_vertices_at_once) {
         const Wide next = stations(x + k, y + k, dx, dy);
         wide = next > wide ? next : wide;
     }
@@ -57,7 +55,7 @@ static double reach(const double* x, const double* y, std::ptrdiff_t count, doub
 
 static std::uint64_t beyond(const double* x, const double* y, std::ptrdiff_t count, double dx, double dy,
                             double limit) {
-    if (count < k_width) {
+    if (count < k_vertices_at_once) {
         std::uint64_t mask = 0;
         for (std::ptrdiff_t k = 0; k < count; ++k) {
             mask |= static_cast<std::uint64_t>(x[k] * dx + y[k] * dy > limit) << k;
@@ -65,8 +63,9 @@ static std::uint64_t beyond(const double* x, const double* y, std::ptrdiff_t cou
         return mask;
     }
     constexpr Bits k_bit = {1, 2, 4, 8, 16, 32, 64, 128};
-    Bits bits = (stations(x + count - k_width, y + count - k_width, dx, dy) > limit) & (k_bit << (count - k_width));
-    for (std::ptrdiff_t k = 0; k + k_width < count; k += k_width) {
+    Bits bits = (stations(x + count - k_vertices_at_once, y + count - k_vertices_at_once, dx, dy) > limit) &
+                (k_bit << (count - k_vertices_at_once));
+    for (std::ptrdiff_t k = 0; k + k_vertices_at_once < count; k += k_vertices_at_once) {
         bits |= (stations(x + k, y + k, dx, dy) > limit) & (k_bit << k);
     }
     return all(bits);

@@ -64,7 +64,7 @@ const std::vector<std::uint32_t>& PairSorter::sort(std::span<const Pair> pairs, 
 template <typename BodyOf>
 void PairSorter::sort_by(BodyOf body_of, std::size_t walls) {
     const auto bucket = [&](std::uint32_t k) {
-        return static_cast<std::size_t>(body_of(k) + static_cast<BodyIndex>(walls));
+        return static_cast<std::size_t>(std::int64_t{body_of(k)} + static_cast<std::int64_t>(walls));
     };
     std::fill(start_.begin(), start_.end(), 0);
     for (const std::uint32_t k : order_) ++start_[bucket(k) + 1];
