@@ -45,6 +45,7 @@ public:
         std::vector<PairContacts> pairs;
         contacts_.clear();
         detection_.hand_over(pairs, contacts_);
+        detection_.begin_clean();
         report_.clear(scene_.walls.size());
         solver_.advance(contacts_, bodies, poses_, trial, 0, time_, k_dt, GapSolver::k_usual, report_);
         for (std::size_t k = 0; k < n; ++k) trial.refresh(k);
