@@ -1,5 +1,5 @@
 # Loops over blocks of contacts and over the vertices of outlines, once for every instruction set; which of them runs is
-# decided at run time (lane_kernels.cpp, outline_kernels.cpp). All round alike, so that this changes no bit.
+# decided at run time (src/core/instruction_set.h). All round alike, so that this changes no bit.
 if(POLARGRAIN_SIMD AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_definitions(polargrain_detect PUBLIC POLARGRAIN_SIMD)
     foreach(kernels src/detect/outline_kernels src/engines/contact/lane_kernels)
