@@ -281,14 +281,15 @@ struct OverPiece {
 
 /// The straight line of a wall piece.
 struct PieceLine {
-    Vec2 a, along, left;
+    Vec2 a, along;
     double length;
+    Vec2 left;
 
     explicit PieceLine(const WallPiece& piece)
         : a(piece.a),
           along(piece.b - piece.a),
-          left(left_normal(along) / std::sqrt(along.squaredNorm())),
-          length(std::sqrt(along.squaredNorm())) {}
+          length(std::sqrt(along.squaredNorm())),
+          left(left_normal(along) / length) {}
 
     OverPiece over(const Vec2& p) const { return {left.dot(p - a), along.dot(p - a) / length, length}; }
 };

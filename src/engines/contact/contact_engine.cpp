@@ -194,8 +194,7 @@ private:
         };
         trial_ = before_;
         detect();
-        const auto overlapping = [](const PairContacts& pair) { return pair.overlapping; };
-        if (std::none_of(pairs_.begin(), pairs_.end(), overlapping)) detection_.begin_clean();
+        if (detection_.overlapping() == 0) detection_.begin_clean();
         const PositionCorrection::Pace pace{dt, PositionCorrection::k_trigger};
         for (int pass = 0; pass < k_opening_passes && PositionCorrection::needed(contacts_, bodies_, pace); ++pass) {
             solver_.prepare_at_rest(contacts_, bodies_, trial_);
@@ -247,8 +246,7 @@ private:
 
     /// Many overlapping pairs mean that the solver has not kept up: it works harder for the next steps.
     void repair(double dt, StepReport& report) {
-        const auto overlapping = std::count_if(detection_.pairs().begin(), detection_.pairs().end(),
-                                               [](const PairContacts& p) { return p.overlapping; });
+        const int overlapping = detection_.overlapping();
         if (careful_ > 0) --careful_;
         if (static_cast<double>(overlapping) > k_careful_share * static_cast<double>(bodies_.size())) {
             careful_ = k_careful_steps;

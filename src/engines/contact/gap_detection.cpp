@@ -445,6 +445,11 @@ void GapDetection::keep(Share& share, const PairContacts& key) const {
     store(share, pairs[share.cursor], last_.of(pairs[share.cursor]));
 }
 
+int GapDetection::overlapping() const {
+    return static_cast<int>(
+        std::count_if(found_.pairs.begin(), found_.pairs.end(), [](const PairContacts& p) { return p.overlapping; }));
+}
+
 void GapDetection::hand_over(std::vector<PairContacts>& pairs, std::vector<GapContact>& contacts) {
     put_in_order();
     made_.resize(found_.points.size());

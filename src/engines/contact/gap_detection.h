@@ -48,6 +48,8 @@ public:
     void hand_over(std::vector<PairContacts>& pairs, std::vector<GapContact>& contacts);
 
     const std::vector<PairContacts>& pairs() const { return found_.pairs; }
+    /// How many of them overlap.
+    int overlapping() const;
     std::span<const GapPoint> points_of(const PairContacts& pair) const { return found_.of(pair); }
     const std::vector<GrainPair>& near_pairs() const { return list_.pairs(); }
 

@@ -8,11 +8,7 @@ namespace polargrain {
 
 int Rejection::run(GapDetection& detection, const PoseSet& before, PoseSet& trial, std::vector<SolverBody>& bodies) {
     rejected_.assign(bodies.size(), 0);
-    const auto overlaps = [&] {
-        return std::any_of(detection.pairs().begin(), detection.pairs().end(),
-                           [](const PairContacts& p) { return p.overlapping; });
-    };
-    for (int round = 0; round < k_rounds && overlaps(); ++round) {
+    for (int round = 0; round < k_rounds && detection.overlapping() > 0; ++round) {
         find(detection, before, trial);
         const std::vector<char>& stays = update_.decide(found_);
         bool any = false;

@@ -20,18 +20,13 @@ Repair::Repair(const Scene& scene)
 
 int Repair::run(GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& before, PoseSet& trial,
                 int sweeps) {
-    sweeps_ = sweeps;
-    const auto overlapping = [&] {
-        return static_cast<int>(std::count_if(detection.pairs().begin(), detection.pairs().end(),
-                                              [](const PairContacts& p) { return p.overlapping; }));
-    };
-    int left = overlapping();
+    int left = detection.overlapping();
     for (int pass = 1; pass <= k_passes && left > 0; ++pass) {
         choose_grains(detection, pass);
-        solve(detection, bodies, trial);
+        solve(detection, bodies, trial, sweeps);
         move_chosen(trial);
         detection.detect_moved(before, trial, chosen_);
-        left = overlapping();
+        left = detection.overlapping();
     }
     return left;
 }
@@ -84,13 +79,14 @@ void Repair::move_chosen(PoseSet& trial) {
     }
 }
 
-void Repair::solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial) {
+void Repair::solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial,
+                   int sweeps) {
     constexpr std::size_t k_islands_a_run = 8;
     for (const GrainIndex grain : grains_) shift_[Grains::at(grain)] = {};
     collect_rows(detection, bodies, trial);
     part_islands();
     parallel_.runs(islands_.size(), k_islands_a_run, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) solve_island(islands_[k]);
+        for (std::size_t k = first; k < last; ++k) solve_island(islands_[k], sweeps);
     });
 }
 
@@ -135,9 +131,9 @@ GrainIndex Repair::root_of(GrainIndex grain) {
 }
 
 /// Sweeps to and fro until one has changed nothing.
-void Repair::solve_island(const Island& island) {
+void Repair::solve_island(const Island& island, int sweeps) {
     const std::size_t count = island.last - island.first;
-    for (int s = 0; s < sweeps_; ++s) {
+    for (int s = 0; s < sweeps; ++s) {
         bool changed = false;
         for (std::size_t m = 0; m < count; ++m) {
             changed |= sorted_[s % 2 == 0 ? island.first + m : island.last - 1 - m].relax(shift_);

@@ -34,7 +34,7 @@ public:
 private:
     void choose_grains(const GapDetection& detection, int rings);
     void choose(BodyIndex body);
-    void solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
+    void solve(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial, int sweeps);
     void collect_rows(const GapDetection& detection, const std::vector<SolverBody>& bodies, const PoseSet& trial);
     void add_row(const PairContacts& pair, const GapPoint& p, double resting, const std::vector<SolverBody>& bodies,
                  const PoseSet& trial);
@@ -49,10 +49,9 @@ private:
     struct Island {
         std::size_t first, last;
     };
-    void solve_island(const Island& island);
+    void solve_island(const Island& island, int sweeps);
 
     Parallel parallel_;
-    int sweeps_ = k_sweeps;
     std::vector<char> chosen_;
     std::vector<GrainIndex> grains_;  ///< chosen, in rings
     ByGrain by_grain_;                ///< pairs
