@@ -171,8 +171,8 @@ void Repair::add_row(const PairContacts& pair, const GapPoint& p, double resting
         inverse += b.inverse_mass + b.inverse_inertia * arm * arm;
         return OpeningSide::of(body, b, p.normal, arm);
     };
-    GapOpening row{p.normal,     p.gap,       p.gap < k_part * resting ? k_part * resting : 0.0, 0.0, 0.0,
-                   side(pair.i), side(pair.j)};
+    const double aim = (p.gap < k_tight * resting ? k_opened : k_least) * resting;
+    GapOpening row{p.normal, p.gap, aim, 0.0, 0.0, side(pair.i), side(pair.j)};
     row.mass = 1.0 / inverse;
     rows_.push_back(row);
 }

@@ -21,7 +21,11 @@ public:
     static constexpr int k_passes = 12;
     static constexpr int k_sweeps = 60;
     static constexpr int k_few_sweeps = 20;  ///< in a bed that settles: rows that fill a box would lock under stress
-    static constexpr double k_part = 0.3;    ///< of the resting gap: what overlapping pairs are opened to
+    // Gaps that repair asks for, in resting gaps. A pair left at no gap at all overlaps again with the next shift of a
+    // neighbour, by what the linear gaps miss.
+    static constexpr double k_tight = 0.05;  ///< a pair nearer than this is opened
+    static constexpr double k_opened = 0.3;  ///< to this
+    static constexpr double k_least = 0.1;   ///< others may close to this
     static constexpr double k_near = 5.0;    ///< gaps beyond this many resting gaps cannot get in the way
     static constexpr double k_ring = 1.2;    ///< neighbours through contacts nearer than this many resting gaps
 
