@@ -45,6 +45,21 @@ public:
         return total;
     }
 
+    /// Does test(k) hold for any k in [0, count)? All are asked, in runs of `length`.
+    template <typename Test>
+    bool any(std::size_t count, std::size_t length, const Test& test) const {
+        std::vector<char> holds((count + length - 1) / length);
+        runs(count, length, [&](std::size_t first, std::size_t last) {
+            bool of_run = false;
+            for (std::size_t k = first; k < last && !of_run; ++k) of_run = test(k);
+            holds[first / length] = of_run;
+        });
+        for (const char of_run : holds) {
+            if (of_run) return true;
+        }
+        return false;
+    }
+
 private:
     struct Team;
     static std::shared_ptr<Team> team_of(int threads);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "src/core/parallel.h"
 #include "src/detect/neighbours.h"
 #include "src/model/scene.h"
 
@@ -34,6 +35,7 @@ private:
     static constexpr double k_margin = 0.2;
     static constexpr double k_ways_ahead = 4.0;
 
+    Parallel parallel_;
     std::vector<double> radii_;
     std::vector<Vec2> built_at_;
     std::vector<double> margin_;  ///< of the list as it was made [m]

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "src/engines/contact/energy_guard.h"
 #include "src/engines/contact/gap_detection.h"
@@ -71,7 +73,8 @@ private:
         remember(report);
         const double energy_before = energy_at(before_);
         granted_ = 0.0;
-        trial_ = before_;
+        trial_.centre = before_.centre;
+        trial_.angle = before_.angle;
         solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(halvings), report);
         correct_positions(energy_before, dt, report);
         refresh_trial();
@@ -90,8 +93,17 @@ private:
         guard(energy_before, report);
         report_contacts(report);
         hand_over_contacts();
-        before_ = trial_;
+        std::swap(before_, trial_);
     }
+
+    /// The deepest overlap of some contacts [m].
+    struct Deepest {
+        double overlap = 0.0;
+        Deepest& operator+=(const Deepest& more) {
+            overlap = std::max(overlap, more.overlap);
+            return *this;
+        }
+    };
 
     /// What the solver changes of a contact.
     struct Remembered {
@@ -169,13 +181,17 @@ private:
         const std::size_t n = world.grains.x.size();
         bodies_.resize(n);
         before_.resize(n);
+        trial_.resize(n);
         parallel_.runs(n, k_run, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) {
                 const auto g = static_cast<GrainIndex>(k);
                 bodies_[k] = {world.grains.velocity(g), world.grains.spin[k], 1.0 / world.grains.mass[k],
                               1.0 / world.grains.inertia[k], false};
-                before_.centre[k] = world.grains.position(g);
-                before_.angle[k] = world.grains.angle[k];
+                const Vec2 centre = world.grains.position(g);
+                const double angle = world.grains.angle[k];
+                if (before_.centre[k] == centre && before_.angle[k] == angle && detected_) continue;
+                before_.centre[k] = centre;
+                before_.angle[k] = angle;
                 before_.refresh(k);
             }
         });
@@ -196,7 +212,7 @@ private:
         detect();
         if (detection_.overlapping() == 0) detection_.begin_clean();
         const PositionCorrection::Pace pace{dt, PositionCorrection::k_trigger};
-        for (int pass = 0; pass < k_opening_passes && PositionCorrection::needed(contacts_, bodies_, pace); ++pass) {
+        for (int pass = 0; pass < k_opening_passes && correction_.needed(contacts_, bodies_, pace); ++pass) {
             solver_.prepare_at_rest(contacts_, bodies_, trial_);
             correction_.correct(contacts_, bodies_, scene_.gravity, pace, std::numeric_limits<double>::infinity(),
                                 solver_.lanes(), trial_);
@@ -213,12 +229,12 @@ private:
     /// The contacts of a wall that is gone stay in the array, as pairs refer to it, but out of everybody's reach.
     void forget_removed_walls(double time) {
         constexpr double k_out_of_reach = 1e9;
-        for (GapContact& c : contacts_) {
-            if (is_wall(c.j) && !scene_.walls[static_cast<std::size_t>(wall_index(c.j))].present(time)) {
-                c.gap = k_out_of_reach;
-                c.normal_impulse = 0.0;
-                c.tangent_impulse = 0.0;
-            }
+        for (std::size_t k = first_with_wall(contacts_); k < contacts_.size(); ++k) {
+            GapContact& c = contacts_[k];
+            if (scene_.walls[static_cast<std::size_t>(wall_index(c.j))].present(time)) continue;
+            c.gap = k_out_of_reach;
+            c.normal_impulse = 0.0;
+            c.tangent_impulse = 0.0;
         }
     }
 
@@ -281,31 +297,61 @@ private:
     void hand_over_contacts() { detection_.hand_over(pairs_, contacts_); }
 
     void give_state(World& world, StepReport& report) {
-        for (std::size_t k = 0; k < bodies_.size(); ++k) {
-            const auto g = static_cast<GrainIndex>(k);
-            world.grains.set_position(g, trial_.centre[k]);
-            world.grains.angle[k] = trial_.angle[k];
-            world.grains.set_velocity(g, bodies_[k].velocity);
-            world.grains.spin[k] = bodies_[k].spin;
-        }
+        parallel_.runs(bodies_.size(), k_run, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) {
+                const auto g = static_cast<GrainIndex>(k);
+                world.grains.set_position(g, before_.centre[k]);
+                world.grains.angle[k] = before_.angle[k];
+                world.grains.set_velocity(g, bodies_[k].velocity);
+                world.grains.spin[k] = bodies_[k].spin;
+            }
+        });
         const auto by_bodies = [](const Contact& p, const Contact& q) {
             return p.a < q.a || (p.a == q.a && p.b < q.b);
         };
-        // As a rule those of grains are in order already.
-        const auto grains = std::stable_partition(report.contacts.begin(), report.contacts.end(),
-                                                  [](const Contact& c) { return is_wall(c.a); });
-        std::stable_sort(report.contacts.begin(), grains, by_bodies);
-        if (!std::is_sorted(grains, report.contacts.end(), by_bodies)) {
-            std::stable_sort(grains, report.contacts.end(), by_bodies);
+        // As a rule those of walls come first, and those of grains are in order already.
+        const auto with_wall = [](const Contact& c) { return is_wall(c.a); };
+        auto& all = report.contacts;
+        if (!std::is_partitioned(all.begin(), all.end(), with_wall)) {
+            std::stable_partition(all.begin(), all.end(), with_wall);
         }
-        for (const GapContact& c : contacts_) report.deepest = std::max(report.deepest, -c.gap);
+        const auto grains = std::partition_point(all.begin(), all.end(), with_wall);
+        std::stable_sort(all.begin(), grains, by_bodies);
+        if (!std::is_sorted(grains, all.end(), by_bodies)) std::stable_sort(grains, all.end(), by_bodies);
+        const Deepest deepest = parallel_.sum(contacts_.size(), k_run, [&](std::size_t first, std::size_t last) {
+            Deepest of_run;
+            for (std::size_t k = first; k < last; ++k) of_run += {-contacts_[k].gap};
+            return of_run;
+        });
+        report.deepest = std::max(report.deepest, deepest.overlap);
     }
 
     void report_contacts(StepReport& report) const {
-        for (const GapContact& c : contacts_) {
-            if (c.total_impulse == Vec2::Zero()) continue;
-            report.contacts.push_back({c.j, c.i, c.point, c.normal, c.gap, c.total_impulse});
-        }
+        const std::size_t walls = first_with_wall(contacts_);
+        report_contacts(report, {contacts_.begin() + static_cast<std::ptrdiff_t>(walls), contacts_.end()});
+        report_contacts(report, {contacts_.data(), walls});
+    }
+
+    /// Those that have pushed.
+    void report_contacts(StepReport& report, std::span<const GapContact> contacts) const {
+        const auto each_pushing = [&](std::size_t first, std::size_t last, const auto& visit) {
+            for (const GapContact& c : contacts.subspan(first, last - first)) {
+                if (c.total_impulse != Vec2::Zero()) visit(c);
+            }
+        };
+        // What each run adds goes behind what those before it add.
+        std::vector<std::size_t> next((contacts.size() + k_run - 1) / k_run + 1, 0);
+        parallel_.runs(contacts.size(), k_run, [&](std::size_t first, std::size_t last) {
+            each_pushing(first, last, [&](const GapContact&) { ++next[first / k_run + 1]; });
+        });
+        next.front() = report.contacts.size();
+        for (std::size_t run = 1; run < next.size(); ++run) next[run] += next[run - 1];
+        report.contacts.resize(next.back());
+        parallel_.runs(contacts.size(), k_run, [&](std::size_t first, std::size_t last) {
+            each_pushing(first, last, [&](const GapContact& c) {
+                report.contacts[next[first / k_run]++] = {c.j, c.i, c.point, c.normal, c.gap, c.total_impulse};
+            });
+        });
     }
 
     const Scene& scene_;

@@ -1,6 +1,7 @@
 #include "src/engines/contact/contact_lanes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 
@@ -143,8 +144,7 @@ void ContactLanes::fill(const std::vector<GapContact>& contacts, std::vector<Sol
             std::fill(std::begin(travels_[b].contact), std::end(travels_[b].contact), -1);
         }
     });
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (!is_wall(contacts[k].j)) continue;
+    for (std::size_t k = first_with_wall(contacts); k < contacts.size(); ++k) {
         block(k).j[lane(k)] = static_cast<std::int32_t>(bodies.size());
         bodies.emplace_back();
     }
@@ -208,14 +208,33 @@ Vec2 ContactLanes::take(std::size_t contact, GapContact& c) {
     return sum;
 }
 
-bool ContactLanes::sweep(std::vector<SolverBody>& bodies, double h, double settled, bool backwards) {
+/// A sweep back ends with the strips and the next one begins with them: while a strip is in the cache it gets both.
+bool ContactLanes::sweep(std::vector<SolverBody>& bodies, double h, double settled, int sweeps) {
     const LaneKernels& kernels = lane_kernels();
-    changed_.assign(groups_.size(), 0);
-    each_group(backwards, [&](std::size_t g) {
-        changed_[g] = kernels.sweep(blocks_.data(), groups_[g].first, groups_[g].last, backwards, numbers(bodies),
-                                    1.0 / h, settled);
-    });
-    return std::any_of(changed_.begin(), changed_.end(), [](char changed) { return changed != 0; });
+    const auto pass = [&](std::size_t g, bool backwards) -> char {
+        return kernels.sweep(blocks_.data(), groups_[g].first, groups_[g].last, backwards, numbers(bodies), 1.0 / h,
+                             settled);
+    };
+    changed_next_.assign(groups_.size(), 0);
+    each_of(k_within, [&](std::size_t g) { changed_next_[g] = pass(g, false); });
+    for (int s = 0; s < sweeps; ++s) {
+        const bool backwards = s % 2 != 0;
+        changed_ = changed_next_;
+        if (backwards) {
+            const bool more = s + 1 < sweeps;
+            each_of(k_far, [&](std::size_t g) { changed_[g] = pass(g, true); });
+            each_of(k_border, [&](std::size_t g) { changed_[g] = pass(g, true); });
+            each_of(k_within, [&](std::size_t g) {
+                changed_[g] = pass(g, true);
+                if (more) changed_next_[g] = pass(g, false);
+            });
+        } else {
+            each_of(k_border, [&](std::size_t g) { changed_[g] = pass(g, false); });
+            each_of(k_far, [&](std::size_t g) { changed_[g] = pass(g, false); });
+        }
+        if (std::all_of(changed_.begin(), changed_.end(), [](char changed) { return changed == 0; })) return true;
+    }
+    return false;
 }
 
 /// Losses are summed in pieces of a fixed size, whatever the number of threads.
@@ -236,13 +255,17 @@ LaneLosses ContactLanes::move(const std::vector<SolverBody>& bodies, const LaneM
 }
 
 void ContactLanes::mark_pushed(std::vector<char>& pushed) const {
-    each_group(false, [&](std::size_t g) {
-        for (std::ptrdiff_t b = groups_[g].first; b < groups_[g].last; ++b) {
-            const LaneBlock& of = blocks_[static_cast<std::size_t>(b)];
+    // Several threads may mark the same grain.
+    const auto mark = [&](std::int32_t body) {
+        std::atomic_ref(pushed[static_cast<std::size_t>(body)]).store(1, std::memory_order_relaxed);
+    };
+    parallel_.runs(blocks_.size(), k_blocks_a_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) {
+            const LaneBlock& of = blocks_[b];
             for (int lane = 0; lane < k_lanes; ++lane) {
                 if (of.normal_impulse.of[lane] == 0.0) continue;
-                pushed[static_cast<std::size_t>(of.i[lane])] = 1;
-                pushed[static_cast<std::size_t>(of.j[lane])] = 1;
+                mark(of.i[lane]);
+                mark(of.j[lane]);
             }
         }
     });

@@ -35,7 +35,9 @@ public:
     /// Puts gap, impulses and the sums of impulses since the last call into the contact. Returns the sum, on i [N s/m].
     Vec2 take(std::size_t contact, GapContact& c);
 
-    bool sweep(std::vector<SolverBody>& bodies, double h, double settled, bool backwards);
+    /// Up to so many Gauss-Seidel sweeps, to and fro, until one has changed no velocity by more than `settled` [m/s];
+    /// returns whether one has.
+    bool sweep(std::vector<SolverBody>& bodies, double h, double settled, int sweeps);
     LaneLosses move(const std::vector<SolverBody>& bodies, const LaneMove& move);
 
     /// Contacts are swept in groups. Calls work(group) for each that has contacts, those that share no grain on several
@@ -79,6 +81,8 @@ private:
         std::ptrdiff_t first, last;
     };
 
+    template <typename Work>
+    void each_of(Phase phase, const Work& work) const;
     std::size_t choose_group(const GapContact& c);
     void cut_into_strips(std::size_t contacts, const std::vector<Vec2>& centres);
     void colour(const std::vector<GapContact>& contacts, std::size_t grains);
@@ -100,7 +104,7 @@ private:
     std::vector<std::uint32_t> place_;   ///< of a contact: block and lane
     std::vector<Group> groups_;
     std::array<std::vector<std::size_t>, k_phases> of_phase_;  ///< groups with contacts
-    std::vector<char> changed_;
+    std::vector<char> changed_, changed_next_;  ///< groups, by a sweep and by what has been done of the next
     std::vector<LaneBlock> blocks_;
     std::vector<TravelBlock> travels_;
     std::vector<LaneLosses> losses_;
@@ -108,10 +112,13 @@ private:
 
 template <typename Work>
 void ContactLanes::each_group(bool backwards, const Work& work) const {
-    for (std::size_t p = 0; p < k_phases; ++p) {
-        const std::vector<std::size_t>& groups = of_phase_[backwards ? k_phases - 1 - p : p];
-        parallel_.each(groups.size(), [&](std::size_t n) { work(groups[n]); });
-    }
+    for (int p = 0; p < k_phases; ++p) each_of(static_cast<Phase>(backwards ? k_phases - 1 - p : p), work);
+}
+
+template <typename Work>
+void ContactLanes::each_of(Phase phase, const Work& work) const {
+    const std::vector<std::size_t>& groups = of_phase_[phase];
+    parallel_.each(groups.size(), [&](std::size_t n) { work(groups[n]); });
 }
 
 template <typename Visit>

@@ -1,6 +1,14 @@
 #include "src/engines/contact/gap_contact.h"
 
+#include <algorithm>
+
 namespace polargrain {
+
+std::size_t first_with_wall(const std::vector<GapContact>& contacts) {
+    const auto first =
+        std::partition_point(contacts.begin(), contacts.end(), [](const GapContact& c) { return !is_wall(c.j); });
+    return static_cast<std::size_t>(first - contacts.begin());
+}
 
 void make_contacts(const PairContacts& pair, std::span<const GapPoint> points, double resting,
                    std::span<GapContact> contacts) {

@@ -16,9 +16,6 @@ Joint joint_between(const Vec2& before, const Vec2& at, const Vec2& after) {
     return turn > 0.0 ? Joint::left_turn : Joint::right_turn;
 }
 
-/// Pairs or grains that a thread takes at a time, where each costs little.
-constexpr std::size_t k_run = 1024;
-
 bool before_pair(const PairContacts& p, const PairContacts& q) {
     const bool wall_p = is_wall(p.j);
     const bool wall_q = is_wall(q.j);
@@ -121,9 +118,7 @@ void GapDetection::find_agitation(const PoseSet& now, const std::vector<SolverBo
             if ((from - s * along).squaredNorm() < reach * reach) look_ahead_[Grains::at(k)] = ahead;
         }
     };
-    parallel_.runs(now.centre.size(), k_run, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) look_at_walls(static_cast<GrainIndex>(k));
-    });
+    each_grain([&](std::size_t k) { look_at_walls(static_cast<GrainIndex>(k)); });
 }
 
 void GapDetection::Found::clear() {
@@ -221,16 +216,16 @@ void GapDetection::detect(const PoseSet& before, const PoseSet& now, const std::
     place_walls(time_before, time_now);
     // First every pair that its own motion may bring together, then every pair that a neighbour's may.
     clearance_.resize(look_ahead_.size());
-    for (std::size_t k = 0; k < clearance_.size(); ++k) {
+    each_grain([&](std::size_t k) {
         const double own = std::sqrt(bodies[k].velocity.squaredNorm()) +
                            std::abs(bodies[k].spin) * list_.radius(static_cast<GrainIndex>(k));
         clearance_[k] = dt * own + gravity_way_ + k_resting * diameter_[k];
-    }
+    });
     list_.update(before.pose, now.pose, clearance_);
     find_agitation(now, bodies, dt);
-    for (std::size_t k = 0; k < clearance_.size(); ++k) {
+    each_grain([&](std::size_t k) {
         clearance_[k] = std::max(clearance_[k], look_ahead_[k] + gravity_way_ + k_resting * diameter_[k]);
-    }
+    });
     list_.update(before.pose, now.pose, clearance_);
 
     find_moved(before, now);
@@ -245,48 +240,45 @@ void GapDetection::find_moved(const PoseSet& before, const PoseSet& now) {
     const std::size_t n = now.pose.size();
     const bool elsewhere = seen_.size() != n || seen_gravity_way_ != gravity_way_;
     moved_.assign(n, 1);
-    for (std::size_t k = 0; k < n && !elsewhere; ++k) {
-        moved_[k] = !same(now.pose[k], seen_[k]) || !same(before.pose[k], seen_[k]) || look_ahead_[k] != seen_ahead_[k];
-    }
-    seen_ahead_ = look_ahead_;
-    seen_gravity_way_ = gravity_way_;
     turn_way_.resize(n);
-    parallel_.runs(n, k_run, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) find_turn(before, now, k);
+    seen_ahead_.resize(n);
+    each_grain([&](std::size_t k) {
+        if (!elsewhere) {
+            moved_[k] =
+                !same(now.pose[k], seen_[k]) || !same(before.pose[k], seen_[k]) || look_ahead_[k] != seen_ahead_[k];
+        }
+        seen_ahead_[k] = look_ahead_[k];
+        find_turn(before, now, k);
     });
+    seen_gravity_way_ = gravity_way_;
 }
 
 void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved) {
     if (found_.points.size() > 2 * in_order_) put_in_order();
-    affected_pairs_.clear();
-    for (const auto& [a, b] : list_.pairs()) {
-        if (moved[Grains::at(a)] || moved[Grains::at(b)]) affected_pairs_.emplace_back(a, b);
-    }
-    affected_grains_.clear();
-    for (std::size_t k = 0; k < now.pose.size(); ++k) {
+    const std::vector<GrainPair>& pairs = list_.pairs();
+    const std::size_t grains = now.pose.size();
+    for (std::size_t k = 0; k < grains; ++k) {
         if (!moved[k]) continue;
         seen_[k] = now.pose[k];
         find_turn(before, now, k);
-        affected_grains_.push_back(static_cast<GrainIndex>(k));
     }
-    // Runs of a fixed length, those of the pairs first.
-    constexpr std::size_t k_affected_a_run = 100;
-    const std::size_t pair_runs = (affected_pairs_.size() + k_affected_a_run - 1) / k_affected_a_run;
-    const std::size_t grain_runs = (affected_grains_.size() + k_affected_a_run - 1) / k_affected_a_run;
+    const std::size_t pair_runs = (pairs.size() + k_run - 1) / k_run;
+    const std::size_t grain_runs = (grains + k_run - 1) / k_run;
     shares_.resize(std::max(shares_.size(), pair_runs + grain_runs));
     parallel_.each(pair_runs + grain_runs, [&](std::size_t s) {
         Share& share = shares_[s];
         share.found.clear();
-        const std::size_t first = k_affected_a_run * (s < pair_runs ? s : s - pair_runs);
-        if (s < pair_runs) {
-            for (std::size_t n = first; n < std::min(first + k_affected_a_run, affected_pairs_.size()); ++n) {
-                detect_pair(share, before, now, affected_pairs_[n].first, affected_pairs_[n].second);
-            }
-            return;
-        }
-        for (std::size_t n = first; n < std::min(first + k_affected_a_run, affected_grains_.size()); ++n) {
-            for (std::size_t p = 0; p < pieces_.size(); ++p) {
-                detect_wall(share, before, now, affected_grains_[n], static_cast<std::int32_t>(p));
+        const bool of_pairs = s < pair_runs;
+        const std::size_t first = k_run * (of_pairs ? s : s - pair_runs);
+        const std::size_t last = std::min(first + k_run, of_pairs ? pairs.size() : grains);
+        for (std::size_t n = first; n < last; ++n) {
+            if (of_pairs) {
+                const auto [a, b] = pairs[n];
+                if (moved[Grains::at(a)] || moved[Grains::at(b)]) detect_pair(share, before, now, a, b);
+            } else if (moved[n]) {
+                for (std::size_t p = 0; p < pieces_.size(); ++p) {
+                    detect_wall(share, before, now, static_cast<GrainIndex>(n), static_cast<std::int32_t>(p));
+                }
             }
         }
     });

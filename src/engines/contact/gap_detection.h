@@ -61,6 +61,14 @@ public:
     static constexpr double k_resting = 1e-3;
 
 private:
+    static constexpr std::size_t k_run = 1024;  ///< pairs or grains that a thread takes at a time
+
+    template <typename Work>
+    void each_grain(const Work& work) const {
+        parallel_.runs(diameter_.size(), k_run, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) work(k);
+        });
+    }
     void place_walls(double time_before, double time_now);
     void find_agitation(const PoseSet& now, const std::vector<SolverBody>& bodies, double dt);
     double margin(BodyIndex i, BodyIndex j) const;
@@ -123,8 +131,6 @@ private:
     Found ordered_;  ///< to put points in order in
     Found patch_;    ///< what has been detected again
     std::vector<PairContacts> merged_pairs_;
-    std::vector<GrainPair> affected_pairs_;
-    std::vector<GrainIndex> affected_grains_;
     std::vector<GapContact> made_;  ///< to make contacts in
     std::size_t in_order_ = 0;      ///< points when they were last in order
     bool spliced_ = false;          ///< some points have been replaced, and new ones may stand behind the others

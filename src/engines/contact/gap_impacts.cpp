@@ -11,7 +11,8 @@ namespace polargrain {
 
 namespace {
 
-/// Impacts, and contacts to be looked at, that a thread takes at a time.
+/// Contacts, impacts, and contacts to be looked at, that a thread takes at a time.
+constexpr std::size_t k_run = 1024;
 constexpr std::size_t k_impacts_a_run = 32;
 constexpr std::size_t k_looks_a_run = 256;
 
@@ -26,19 +27,22 @@ void GapImpacts::begin(const StepInHand& step) {
     now_ = step;
     impact_speed_ = k_impact * std::sqrt(scene_.gravity.squaredNorm()) * step.dt;
     const auto grains = static_cast<std::size_t>(scene_.grains.size());
-    by_grain_.index(*step.contacts, grains);
-    blow_solver_.begin(*step.contacts, *step.bodies, *step.halfway, *step.lanes, by_grain_, step.step);
+    blow_solver_.begin(*step.contacts, *step.bodies, *step.halfway, *step.lanes, *step.by_grain, step.step);
     round_ = 0;
     grains_.assign(grains, {});
     added_.assign(step.contacts->size(), 0);
 }
 
 void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) const {
-    closing.clear();
-    for (std::size_t k = 0; k < now_.contacts->size(); ++k) {
-        if (-normal_speed((*now_.contacts)[k], *now_.bodies) > impact_speed_) {
-            closing.push_back(static_cast<std::int32_t>(k));
+    std::vector<char> closes(now_.contacts->size());
+    parallel_.runs(closes.size(), k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            closes[k] = -normal_speed((*now_.contacts)[k], *now_.bodies) > impact_speed_;
         }
+    });
+    closing.clear();
+    for (std::size_t k = 0; k < closes.size(); ++k) {
+        if (closes[k]) closing.push_back(static_cast<std::int32_t>(k));
     }
 }
 
@@ -57,25 +61,22 @@ void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
     }
 }
 
-bool GapImpacts::strikes(std::int32_t contact, double h, double& speed) const {
+/// Adds the contact if it strikes.
+void GapImpacts::look_at(std::int32_t contact, double h, std::vector<Strike>& found) const {
     const GapContact& c = (*now_.contacts)[at(contact)];
-    if (!c.active) return false;
-    speed = -normal_speed(c, *now_.bodies);
-    if (speed <= impact_speed_) return false;
+    if (!c.active) return;
+    const double speed = -normal_speed(c, *now_.bodies);
+    if (speed <= impact_speed_) return;
     // Gravity pulls both grains of a pair alike; against a wall it closes the gap as well.
     const double pull = is_wall(c.j) ? std::max(0.0, -scene_.gravity.dot(c.normal)) * h : 0.0;
-    return now_.lanes->open(at(contact)) < (speed + pull) * h;
+    if (now_.lanes->open(at(contact)) < (speed + pull) * h) found.push_back({speed, contact, c.i, c.j});
 }
 
 /// Adds those of the candidates that strike.
 void GapImpacts::find_strikes(const std::vector<std::int32_t>& candidates, double h) {
     const std::size_t runs = begin_looks(candidates.size(), k_looks_a_run);
     parallel_.runs(candidates.size(), k_looks_a_run, [&](std::size_t first, std::size_t last) {
-        std::vector<Strike>& found = found_[first / k_looks_a_run];
-        double speed = 0.0;
-        for (std::size_t n = first; n < last; ++n) {
-            if (strikes(candidates[n], h, speed)) found.push_back({speed, candidates[n]});
-        }
+        for (std::size_t n = first; n < last; ++n) look_at(candidates[n], h, found_[first / k_looks_a_run]);
     });
     add_strikes(runs);
 }
@@ -103,8 +104,7 @@ void GapImpacts::add_strikes(std::size_t runs) {
 /// Those of which neither grain has a contact that closes faster; of equals the first one found.
 void GapImpacts::choose_turns(double h) {
     for (const Strike& s : strikes_) {
-        const GapContact& c = (*now_.contacts)[at(s.contact)];
-        for (const BodyIndex body : {c.i, c.j}) {
+        for (const BodyIndex body : {s.i, s.j}) {
             if (is_wall(body)) continue;
             OfGrain& grain = grains_[at(body)];
             const bool first = grain.round != round_;
@@ -117,8 +117,7 @@ void GapImpacts::choose_turns(double h) {
     }
     turns_.clear();
     for (const Strike& s : strikes_) {
-        const GapContact& c = (*now_.contacts)[at(s.contact)];
-        if (is_fastest_of(c.i, s) && is_fastest_of(c.j, s)) turns_.push_back({s, time_to_wall(s, h)});
+        if (is_fastest_of(s.i, s) && is_fastest_of(s.j, s)) turns_.push_back({s, time_to_wall(s, h)});
     }
 }
 
@@ -133,7 +132,7 @@ double GapImpacts::time_to_wall(const Strike& strike, double h) const {
     if (!is_wall(c.j) || c.wall_velocity != Vec2::Zero()) return 0.0;
     const double way = now_.lanes->open(at(strike.contact));
     if (way <= 0.0) return 0.0;
-    for (const std::int32_t k : by_grain_.of(c.i)) {
+    for (const std::int32_t k : now_.by_grain->of(c.i)) {
         if (k == strike.contact || !(*now_.contacts)[at(k)].active) continue;
         if (now_.lanes->open(at(k)) < k_alone * strike.speed * h) return 0.0;
     }
@@ -174,8 +173,7 @@ void GapImpacts::strike(std::size_t turn) {
         r.j_after = is_wall(c.j) ? r.j_before : motion_of(bodies[at(c.j)]);
     }
     ++uses_[at(s.contact)];
-    const GapContact& struck = (*now_.contacts)[at(s.contact)];
-    for (const BodyIndex body : {struck.i, struck.j}) {
+    for (const BodyIndex body : {s.i, s.j}) {
         if (!is_wall(body)) grains_[at(body)].struck = round_;
     }
 }
@@ -199,7 +197,7 @@ void GapImpacts::strike_in_flight(std::size_t turn) {
     now_.trial->centre[at(c.i)] += way;
     now_.trial->angle[at(c.i)] += turned;
     body.velocity -= kick;
-    for (const std::int32_t k : by_grain_.of(c.i)) {
+    for (const std::int32_t k : now_.by_grain->of(c.i)) {
         const GapContact& touched = (*now_.contacts)[at(k)];
         const bool is_i = touched.i == c.i;
         const double opened = touched.normal.dot(way) + (is_i ? touched.arm_ni : touched.arm_nj) * turned;
@@ -252,10 +250,7 @@ void GapImpacts::book() {
 
 /// The strikes of the next round: those of grains that have not been struck, and what strikes now among the others.
 void GapImpacts::look_again(double h) {
-    std::erase_if(strikes_, [&](const Strike& s) {
-        const GapContact& c = (*now_.contacts)[at(s.contact)];
-        return is_struck(c.i) || is_struck(c.j);
-    });
+    std::erase_if(strikes_, [&](const Strike& s) { return is_struck(s.i) || is_struck(s.j); });
     const std::size_t runs = begin_looks(turns_.size(), k_impacts_a_run);
     parallel_.runs(turns_.size(), k_impacts_a_run, [&](std::size_t first, std::size_t last) {
         for (std::size_t n = first; n < last; ++n) look_about(turns_[n], h, found_[first / k_impacts_a_run]);
@@ -265,12 +260,10 @@ void GapImpacts::look_again(double h) {
 
 /// What strikes now of the contacts of both grains.
 void GapImpacts::look_about(const Turn& turn, double h, std::vector<Strike>& found) const {
-    const GapContact& c = (*now_.contacts)[at(turn.strike.contact)];
-    for (const BodyIndex body : {c.i, c.j}) {
+    for (const BodyIndex body : {turn.strike.i, turn.strike.j}) {
         if (is_wall(body)) continue;
-        double speed = 0.0;
-        for (const std::int32_t k : by_grain_.of(body)) {
-            if (uses_[at(k)] < k_most_impacts && strikes(k, h, speed)) found.push_back({speed, k});
+        for (const std::int32_t k : now_.by_grain->of(body)) {
+            if (uses_[at(k)] < k_most_impacts) look_at(k, h, found);
         }
     }
 }

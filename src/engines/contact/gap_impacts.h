@@ -36,6 +36,7 @@ public:
         std::vector<SolverBody>* bodies = nullptr;
         PoseSet* trial = nullptr;
         const Halfway* halfway = nullptr;
+        const ByGrain* by_grain = nullptr;  ///< the contacts
         StepReport* report = nullptr;
         std::int64_t step = 0;
         double time = 0.0, dt = 0.0;
@@ -58,6 +59,7 @@ private:
     struct Strike {
         double speed;
         std::int32_t contact;
+        BodyIndex i, j;  ///< of the contact
     };
     /// A strike whose turn it is. flight: until the grain meets a wall, if it flies there alone [s].
     struct Turn {
@@ -71,7 +73,7 @@ private:
         std::int64_t struck = 0;
     };
 
-    bool strikes(std::int32_t contact, double h, double& speed) const;
+    void look_at(std::int32_t contact, double h, std::vector<Strike>& found) const;
     void find_strikes(const std::vector<std::int32_t>& candidates, double h);
     void look_about(const Turn& turn, double h, std::vector<Strike>& found) const;
     std::size_t begin_looks(std::size_t count, std::size_t length);
@@ -94,7 +96,6 @@ private:
     BlowSolver blow_solver_;
     StepInHand now_;
     double impact_speed_ = 0.0;
-    ByGrain by_grain_;  ///< contacts
     std::int64_t round_ = 0;
     std::vector<Strike> strikes_;
     std::vector<Turn> turns_;

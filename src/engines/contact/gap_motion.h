@@ -28,16 +28,24 @@ inline double tangent_speed(const GapContact& c, const std::vector<SolverBody>& 
     return u - t.dot(j.velocity) - c.arm_tj * j.spin;
 }
 
-/// Gives i an impulse [N s/m], and j its reaction.
-inline void push(const GapContact& c, std::vector<SolverBody>& bodies, double normal, double tangential) {
+/// Gives i an impulse [N s/m].
+inline void push_i(const GapContact& c, SolverBody& i, double normal, double tangential) {
     const Vec2 p = normal * c.normal + tangential * c.tangent();
-    SolverBody& i = bodies[at(c.i)];
     i.velocity += i.inverse_mass * p;
     i.spin += i.inverse_inertia * (normal * c.arm_ni + tangential * c.arm_ti);
-    if (is_wall(c.j)) return;
-    SolverBody& j = bodies[at(c.j)];
+}
+
+/// Gives j, a grain, the reaction to an impulse on i [N s/m].
+inline void push_j(const GapContact& c, SolverBody& j, double normal, double tangential) {
+    const Vec2 p = normal * c.normal + tangential * c.tangent();
     j.velocity -= j.inverse_mass * p;
     j.spin -= j.inverse_inertia * (normal * c.arm_nj + tangential * c.arm_tj);
+}
+
+/// Gives i an impulse [N s/m], and j its reaction.
+inline void push(const GapContact& c, std::vector<SolverBody>& bodies, double normal, double tangential) {
+    push_i(c, bodies[at(c.i)], normal, tangential);
+    if (!is_wall(c.j)) push_j(c, bodies[at(c.j)], normal, tangential);
 }
 
 /// Books what a wall gets of an impulse on i [N s/m].

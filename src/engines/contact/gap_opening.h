@@ -56,13 +56,17 @@ struct GapOpening {
         return gap + i.opened(shifts, normal) - j.opened(shifts, normal);
     }
 
-    /// Where the shifts have closed it until its two grains overlap: takes theirs back, and returns true.
-    bool hold(std::vector<Shift>& shifts) const {
+    /// Have the shifts closed it until its two grains overlap?
+    bool overlaps(const std::vector<Shift>& shifts) const {
         const double now = shifted(shifts);
-        if (now >= 0.0 || now >= gap) return false;
+        return now < 0.0 && now < gap;
+    }
+
+    /// Where they have: takes those of the two grains back.
+    void hold(std::vector<Shift>& shifts) const {
+        if (!overlaps(shifts)) return;
         i.stay(shifts);
         j.stay(shifts);
-        return true;
     }
 
     /// Returns whether it has moved anything.

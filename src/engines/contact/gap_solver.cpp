@@ -1,7 +1,9 @@
 #include "src/engines/contact/gap_solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "src/engines/contact/energy_guard.h"
@@ -38,8 +40,10 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
     find_moving_walls(contacts);
     grains_ = bodies.size();
     bodies_ = bodies;
-    lanes_.lay_out(contacts, start.centre, bodies_);
-    impacts_.begin({&contacts, &lanes_, &bodies_, &trial, &halfway_, &report, step, time, dt});
+    const std::array<std::function<void()>, 2> both{[&] { lanes_.lay_out(contacts, start.centre, bodies_); },
+                                                    [&] { by_grain_.index(contacts, grains_); }};
+    parallel_.each(both.size(), [&](std::size_t k) { both[k](); });
+    impacts_.begin({&contacts, &lanes_, &bodies_, &trial, &halfway_, &by_grain_, &report, step, time, dt});
     impacts_.find_all_closing(closing_);
     const double h = dt / k_sub_steps;
     for (int s = 0; s < k_sub_steps; ++s) {
@@ -97,9 +101,8 @@ void GapSolver::prepare_arms(GapContact& c, const std::vector<SolverBody>& bodie
 /// Contacts with walls that move: their speeds change from sub-step to sub-step, and they do work.
 void GapSolver::find_moving_walls(const std::vector<GapContact>& contacts) {
     moving_.clear();
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        const BodyIndex j = contacts[k].j;
-        if (is_wall(j) && scene_.walls[static_cast<std::size_t>(wall_index(j))].moves()) moving_.push_back(k);
+    for (std::size_t k = first_with_wall(contacts); k < contacts.size(); ++k) {
+        if (scene_.walls[static_cast<std::size_t>(wall_index(contacts[k].j))].moves()) moving_.push_back(k);
     }
 }
 
@@ -128,24 +131,34 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Effor
             velocity_before_[k] = body.velocity;
             spin_before_[k] = body.spin;
             body.velocity += kick;
-            if (first || !pushed_[k]) continue;
-            body.velocity += push_[k].velocity;
-            body.spin += push_[k].spin;
+            if (first) {
+                push_by_all(contacts, static_cast<GrainIndex>(k));
+            } else if (pushed_[k]) {
+                body.velocity += push_[k].velocity;
+                body.spin += push_[k].spin;
+            }
         }
     });
-    if (first) {
-        for (const GapContact& c : contacts) {
-            if (c.normal_impulse > 0.0) push(c, bodies_, c.normal_impulse, c.tangent_impulse);
-        }
-    }
     const double settled = effort.settled * std::sqrt(kick.squaredNorm());
     const bool resting = rests(h);
-    for (int s = 0; s < effort.sweeps && !resting; ++s) {
-        if (!lanes_.sweep(bodies_, h, settled, s % 2 != 0)) break;
+    if (resting) {
+        stop();
+    } else {
+        lanes_.sweep(bodies_, h, settled, effort.sweeps);
     }
-    if (resting) stop();
     pushed_.assign(bodies_.size(), 0);
     lanes_.mark_pushed(pushed_);
+}
+
+/// Gives a grain the impulses of its contacts.
+void GapSolver::push_by_all(const std::vector<GapContact>& contacts, GrainIndex grain) {
+    SolverBody& body = bodies_[at(grain)];
+    for (const std::int32_t k : by_grain_.of(grain)) {
+        const GapContact& c = contacts[at(k)];
+        if (c.normal_impulse <= 0.0) continue;
+        c.i == grain ? push_i(c, body, c.normal_impulse, c.tangent_impulse)
+                     : push_j(c, body, c.normal_impulse, c.tangent_impulse);
+    }
 }
 
 /// Does the first guess hold every grain in its place? Then it is the solution, and the bed stays still to the last bit
@@ -236,7 +249,11 @@ void GapSolver::book(std::size_t contact, GapContact& c, StepReport& report) {
 }
 
 void GapSolver::finish(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, StepReport& report) {
-    for (std::size_t k = 0; k < contacts.size(); ++k) book(k, contacts[k], report);
+    const std::size_t walls = first_with_wall(contacts);
+    parallel_.runs(walls, k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) contacts[k].total_impulse += lanes_.take(k, contacts[k]);
+    });
+    for (std::size_t k = walls; k < contacts.size(); ++k) book(k, contacts[k], report);
     std::copy_n(bodies_.begin(), grains_, bodies.begin());
 }
 

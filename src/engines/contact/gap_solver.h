@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "src/engines/contact/by_grain.h"
 #include "src/engines/contact/contact_lanes.h"
 #include "src/engines/contact/gap_detection.h"
 #include "src/engines/contact/gap_impacts.h"
@@ -61,6 +62,7 @@ private:
     void set_wall_velocities(std::vector<GapContact>& contacts, double time);
 
     void lasting(std::vector<GapContact>& contacts, double h, const Effort& effort, bool first);
+    void push_by_all(const std::vector<GapContact>& contacts, GrainIndex grain);
     bool rests(double h) const;
     void stop();
     void keep_energy(const std::vector<GapContact>& contacts, double h);
@@ -83,6 +85,7 @@ private:
     Halfway halfway_;
     GapImpacts impacts_;
     ContactLanes lanes_;
+    ByGrain by_grain_;                ///< contacts
     std::vector<SolverBody> bodies_;  ///< grains, then what stands for walls
     std::size_t grains_ = 0;
     std::vector<std::size_t> moving_;  ///< contacts with walls that move

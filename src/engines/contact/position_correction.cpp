@@ -8,9 +8,8 @@
 namespace polargrain {
 
 bool PositionCorrection::needed(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                                const Pace& pace) {
-    return std::any_of(contacts.begin(), contacts.end(),
-                       [&](const GapContact& c) { return too_near(c, bodies, pace); });
+                                const Pace& pace) const {
+    return parallel_.any(contacts.size(), k_run, [&](std::size_t k) { return too_near(contacts[k], bodies, pace); });
 }
 
 bool PositionCorrection::too_near(const GapContact& c, const std::vector<SolverBody>& bodies, const Pace& pace) {
@@ -44,16 +43,22 @@ double PositionCorrection::correct(const std::vector<GapContact>& contacts, cons
 
 void PositionCorrection::collect_rows(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
                                       const Pace& pace, const ContactLanes& lanes) {
-    const auto takes_part = [](const GapContact& c) { return c.active && c.gap < k_look * c.resting; };
+    takes_part_.resize(contacts.size());
+    parallel_.runs(contacts.size(), k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const GapContact& c = contacts[k];
+            takes_part_[k] = c.active && c.gap < k_look * c.resting;
+        }
+    });
     end_.assign(lanes.groups() + 1, 0);
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (takes_part(contacts[k])) ++end_[lanes.group_of(k) + 1];
+        if (takes_part_[k]) ++end_[lanes.group_of(k) + 1];
     }
     for (std::size_t g = 1; g < end_.size(); ++g) end_[g] += end_[g - 1];
     in_order_.resize(end_.back());
     // As each group is filled, where it begins becomes where it ends.
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (takes_part(contacts[k])) in_order_[end_[lanes.group_of(k)]++] = static_cast<std::int32_t>(k);
+        if (takes_part_[k]) in_order_[end_[lanes.group_of(k)]++] = static_cast<std::int32_t>(k);
     }
     rows_.resize(in_order_.size());
     parallel_.runs(rows_.size(), k_run, [&](std::size_t first, std::size_t last) {
@@ -78,10 +83,8 @@ void PositionCorrection::relax(std::size_t group, bool backwards) {
 /// Few sweeps push pairs into overlap where a row between walls has no room to give. These stay, and so do those that
 /// would now be pushed into them.
 void PositionCorrection::hold_back() {
-    bool held = true;
-    while (held) {
-        held = false;
-        for (const GapOpening& row : rows_) held |= row.hold(shift_);
+    while (parallel_.any(rows_.size(), k_run, [&](std::size_t n) { return rows_[n].overlaps(shift_); })) {
+        for (const GapOpening& row : rows_) row.hold(shift_);
     }
 }
 

@@ -34,11 +34,10 @@ public:
         double still;  ///< trigger, in resting gaps, for pairs that do not move past one another
     };
 
-    /// Is any gap below its trigger? Pairs that move by k_stir of the resting gap in a step need k_trigger.
-    static bool needed(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
-                       const Pace& pace);
-
     explicit PositionCorrection(const Scene& scene) : parallel_(std::max(1, scene.threads)) {}
+
+    /// Is any gap below its trigger? Pairs that move by k_stir of the resting gap in a step need k_trigger.
+    bool needed(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Pace& pace) const;
 
     /// `lanes`: the groups that the contacts are taken in, each in the order in which they were found: from below it
     /// carries farther in a pass than an order in colours. budget [J/m] >= 0. Returns the potential energy added [J/m].
@@ -55,6 +54,7 @@ private:
     void hold_back();
 
     Parallel parallel_;
+    std::vector<char> takes_part_;        ///< per contact
     std::vector<std::int32_t> in_order_;  ///< contacts that take part, by groups
     std::vector<std::size_t> end_;        ///< of the rows of a group
     std::vector<GapOpening> rows_;
