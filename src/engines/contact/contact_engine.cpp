@@ -62,7 +62,7 @@ private:
     static constexpr int k_opening_passes = 60;
     static constexpr int k_careful_steps = 10;
     static constexpr double k_careful_share = 0.01;
-    static constexpr int k_most_halvings = 3;
+    static constexpr int k_most_halvings = 5;
     static constexpr double k_settling = 12.0;  ///< times the speed of the slowest impact: a bed below it is slow
     static constexpr std::size_t k_run = 1024;  ///< grains or contacts that a thread takes at a time
 
