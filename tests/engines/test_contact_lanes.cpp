@@ -97,7 +97,7 @@ TEST(ContactLanes, SweepContactsOfDifferentGrainsAsOneAfterTheOther) {
     ContactLanes lanes(disks(k_grains, 1));
     lanes.lay_out(contacts, k_centres, bodies);
     const double h = 1e-3;
-    EXPECT_FALSE(lanes.sweep(bodies, h, 1e-6, 1));
+    EXPECT_FALSE(lanes.sweep(bodies, h, {1, 1e-6, false}));
     for (GapContact& c : contacts) sweep_one(c, expected, h);
     for (std::size_t k = 0; k < expected.size(); ++k) {
         EXPECT_NEAR((bodies[k].velocity - expected[k].velocity).norm(), 0.0, 1e-12) << "grain " << k;
@@ -127,7 +127,7 @@ TEST(ContactLanes, SolveASystemOfContactsThatShareGrains) {
     }
     ContactLanes lanes(disks(k_grains, 1));
     lanes.lay_out(contacts, k_centres, bodies);
-    EXPECT_TRUE(lanes.sweep(bodies, 1e-3, 1e-13, 20000));
+    EXPECT_TRUE(lanes.sweep(bodies, 1e-3, {20000, 1e-13, false}));
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         const GapContact& c = contacts[k];
         const SolverBody& i = bodies[Grains::at(c.i)];
@@ -148,7 +148,7 @@ TEST(ContactLanes, TakeAnyNumberOfContactsOfOneGrain) {
     for (int k = 0; k < 200; ++k) contacts.push_back(random_contact(1 + k % (k_grains - 1), 0, random));
     ContactLanes lanes(disks(k_grains, 1));
     lanes.lay_out(contacts, k_centres, bodies);
-    lanes.sweep(bodies, 1e-3, 1e-6, 1);
+    lanes.sweep(bodies, 1e-3, {1, 1e-6, false});
     // All share grain 0, so that they have been taken one after the other, in the order given.
     for (GapContact& c : contacts) sweep_one(c, expected, 1e-3);
     for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -206,7 +206,7 @@ TEST(ContactLanes, GiveTheSameBitsForAnyNumberOfThreads) {
         }
         ContactLanes lanes(disks(n, threads));
         lanes.lay_out(contacts, centres, bodies);
-        lanes.sweep(bodies, 1e-3, 1e-9, 4);
+        lanes.sweep(bodies, 1e-3, {4, 1e-9, true});
         const LaneLosses losses = lanes.move(bodies, {1e-3, 0.1, 0.0});
         std::vector<double> all{losses.normal, losses.tangent};
         for (int k = 0; k < n; ++k) {

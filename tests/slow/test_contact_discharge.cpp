@@ -71,7 +71,7 @@ Running filled_silo(double opening, double open_at, std::uint64_t seed) {
 
 TEST_P(DiskSilo, DischargesAsTheSoftSphereProgramDoes) {
     const double d = 0.01;
-    const int seeds = 3;
+    const int seeds = 10;
     double flow = 0.0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const double open_at = 1.5;
@@ -85,8 +85,9 @@ TEST_P(DiskSilo, DischargesAsTheSoftSphereProgramDoes) {
     }
     fmt::print("D/d {}: mean Q {:.3f}, soft spheres {:.2f} ({:+.2f} %)\n", GetParam().opening, flow, GetParam().flow,
                100.0 * (flow / GetParam().flow - 1.0));
-    // Aim 3 %. The reference is one run of one program; ours vary by 2 % from seed to seed. Measured over three seeds
-    // -3.6 % at D/d 6, +2.0 % at D/d 10.
+    // Aim 3 %. The reference is one run of one program; ours vary by 2.5 % from seed to seed. Measured: -4.0 +- 0.5 %
+    // at D/d 6, +3.2 +- 0.8 % at D/d 10; the engine dem, which shares no method with this one, -3.1 +- 1.2 % and, of
+    // one bed, +3.7 %.
     EXPECT_NEAR(flow / GetParam().flow, 1.0, 0.05);
 }
 

@@ -171,8 +171,8 @@ private:
     }
 
     /// Parts of a failed step are solved twice as hard with every halving: rows that press against walls need it.
-    GapSolver::Effort effort(int halvings) const {
-        if (halvings > 0) return {GapSolver::k_usual.sweeps << halvings, GapSolver::k_usual.settled};
+    SweepEffort effort(int halvings) const {
+        if (halvings > 0) return {GapSolver::k_usual.sweeps << halvings, GapSolver::k_usual.settled, true};
         if (careful_ > 0) return GapSolver::k_careful;
         return at_rest_ ? GapSolver::k_at_rest : GapSolver::k_usual;
     }

@@ -15,6 +15,9 @@ constexpr std::size_t k_blocks_a_run = 512;
 /// Of a group; a grain with more contacts in it gets blocks of their own for the rest.
 constexpr std::int32_t k_colours = 64;
 
+/// Of a group: nothing of the next sweep has been done.
+constexpr char k_not_yet = 2;
+
 constexpr double k_unbounded = std::numeric_limits<double>::infinity();
 
 static_assert(sizeof(SolverBody) == k_body_stride * sizeof(double) && offsetof(SolverBody, velocity) == 0 &&
@@ -208,30 +211,24 @@ Vec2 ContactLanes::take(std::size_t contact, GapContact& c) {
     return sum;
 }
 
-/// A sweep back ends with the strips and the next one begins with them: while a strip is in the cache it gets both.
-bool ContactLanes::sweep(std::vector<SolverBody>& bodies, double h, double settled, int sweeps) {
+bool ContactLanes::sweep(std::vector<SolverBody>& bodies, double h, const SweepEffort& effort) {
     const LaneKernels& kernels = lane_kernels();
     const auto pass = [&](std::size_t g, bool backwards) -> char {
         return kernels.sweep(blocks_.data(), groups_[g].first, groups_[g].last, backwards, numbers(bodies), 1.0 / h,
-                             settled);
+                             effort.settled);
     };
-    changed_next_.assign(groups_.size(), 0);
-    each_of(k_within, [&](std::size_t g) { changed_next_[g] = pass(g, false); });
-    for (int s = 0; s < sweeps; ++s) {
+    changed_.resize(groups_.size());
+    ahead_.assign(groups_.size(), k_not_yet);
+    for (int s = 0; s < effort.sweeps; ++s) {
         const bool backwards = s % 2 != 0;
-        changed_ = changed_next_;
-        if (backwards) {
-            const bool more = s + 1 < sweeps;
-            each_of(k_far, [&](std::size_t g) { changed_[g] = pass(g, true); });
-            each_of(k_border, [&](std::size_t g) { changed_[g] = pass(g, true); });
-            each_of(k_within, [&](std::size_t g) {
-                changed_[g] = pass(g, true);
-                if (more) changed_next_[g] = pass(g, false);
-            });
-        } else {
-            each_of(k_border, [&](std::size_t g) { changed_[g] = pass(g, false); });
-            each_of(k_far, [&](std::size_t g) { changed_[g] = pass(g, false); });
-        }
+        const bool pairs = effort.in_pairs && backwards && s + 1 < effort.sweeps;
+        std::fill(changed_.begin(), changed_.end(), char{0});
+        each_group(backwards, [&](std::size_t g) {
+            const bool done = !backwards && ahead_[g] != k_not_yet;
+            changed_[g] = done ? ahead_[g] : pass(g, backwards);
+            ahead_[g] = k_not_yet;
+            if (pairs && groups_[g].phase == k_within && changed_[g]) ahead_[g] = pass(g, false);
+        });
         if (std::all_of(changed_.begin(), changed_.end(), [](char changed) { return changed == 0; })) return true;
     }
     return false;

@@ -10,6 +10,15 @@
 
 namespace polargrain {
 
+/// How hard lasting contacts are solved in a sub-step.
+struct SweepEffort {
+    int sweeps;      ///< at most
+    double settled;  ///< a sweep that changes no velocity by more [m/s] ends the solve
+    /// A sweep back ends with the strips and the next one begins with them: a strip that has changed gets both while it
+    /// is in the cache. Not where a bed is at rest: its last digits settle worse.
+    bool in_pairs;
+};
+
 /// The contacts of a step in blocks of eight that share no grain, for the solver's loops over all of them.
 ///
 /// Large beds are cut into strips. A strip's own contacts touch nobody in another strip; those across borders come
@@ -35,9 +44,8 @@ public:
     /// Puts gap, impulses and the sums of impulses since the last call into the contact. Returns the sum, on i [N s/m].
     Vec2 take(std::size_t contact, GapContact& c);
 
-    /// Up to so many Gauss-Seidel sweeps, to and fro, until one has changed no velocity by more than `settled` [m/s];
-    /// returns whether one has.
-    bool sweep(std::vector<SolverBody>& bodies, double h, double settled, int sweeps);
+    /// Gauss-Seidel sweeps, to and fro, until one has changed little; returns whether one has.
+    bool sweep(std::vector<SolverBody>& bodies, double h, const SweepEffort& effort);
     LaneLosses move(const std::vector<SolverBody>& bodies, const LaneMove& move);
 
     /// Contacts are swept in groups. Calls work(group) for each that has contacts, those that share no grain on several
@@ -81,8 +89,6 @@ private:
         std::ptrdiff_t first, last;
     };
 
-    template <typename Work>
-    void each_of(Phase phase, const Work& work) const;
     std::size_t choose_group(const GapContact& c);
     void cut_into_strips(std::size_t contacts, const std::vector<Vec2>& centres);
     void colour(const std::vector<GapContact>& contacts, std::size_t grains);
@@ -104,7 +110,8 @@ private:
     std::vector<std::uint32_t> place_;   ///< of a contact: block and lane
     std::vector<Group> groups_;
     std::array<std::vector<std::size_t>, k_phases> of_phase_;  ///< groups with contacts
-    std::vector<char> changed_, changed_next_;  ///< groups, by a sweep and by what has been done of the next
+    std::vector<char> changed_;                                ///< per group: by the last sweep
+    std::vector<char> ahead_;                                  ///< per group: by its pass of the next sweep
     std::vector<LaneBlock> blocks_;
     std::vector<TravelBlock> travels_;
     std::vector<LaneLosses> losses_;
@@ -112,13 +119,10 @@ private:
 
 template <typename Work>
 void ContactLanes::each_group(bool backwards, const Work& work) const {
-    for (int p = 0; p < k_phases; ++p) each_of(static_cast<Phase>(backwards ? k_phases - 1 - p : p), work);
-}
-
-template <typename Work>
-void ContactLanes::each_of(Phase phase, const Work& work) const {
-    const std::vector<std::size_t>& groups = of_phase_[phase];
-    parallel_.each(groups.size(), [&](std::size_t n) { work(groups[n]); });
+    for (std::size_t p = 0; p < k_phases; ++p) {
+        const std::vector<std::size_t>& groups = of_phase_[backwards ? k_phases - 1 - p : p];
+        parallel_.each(groups.size(), [&](std::size_t n) { work(groups[n]); });
+    }
 }
 
 template <typename Visit>

@@ -32,7 +32,7 @@ struct Balance {
 }  // namespace
 
 void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
-                        PoseSet& trial, std::int64_t step, double time, double dt, const Effort& effort,
+                        PoseSet& trial, std::int64_t step, double time, double dt, const SweepEffort& effort,
                         StepReport& report) {
     start_ = &start;
     halfway_.find(start, bodies, dt);
@@ -120,7 +120,7 @@ void GapSolver::set_wall_velocities(std::vector<GapContact>& contacts, double ti
 
 /// The first guess of the impulses is what they were in the sub-step before; as nothing else has changed, their sum on
 /// a grain is what they gave it then.
-void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Effort& effort, bool first) {
+void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const SweepEffort& effort, bool first) {
     const Vec2 kick = h * scene_.gravity;
     velocity_before_.resize(grains_);
     spin_before_.resize(grains_);
@@ -144,7 +144,7 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Effor
     if (resting) {
         stop();
     } else {
-        lanes_.sweep(bodies_, h, settled, effort.sweeps);
+        lanes_.sweep(bodies_, h, {effort.sweeps, settled, effort.in_pairs});
     }
     pushed_.assign(bodies_.size(), 0);
     lanes_.mark_pushed(pushed_);

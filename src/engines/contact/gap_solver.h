@@ -29,14 +29,10 @@ namespace polargrain {
 class GapSolver {
 public:
     static constexpr int k_sub_steps = 8;
-    /// How hard the lasting contacts are solved in a sub-step.
-    struct Effort {
-        int sweeps;      ///< at most
-        double settled;  ///< of g h: a sweep that changes no velocity by more ends the solve
-    };
-    static constexpr Effort k_usual{4, 1e-3};
-    static constexpr Effort k_careful{8, 1e-3};    ///< where many grains overlap
-    static constexpr Effort k_at_rest{32, 1e-10};  ///< where nothing moves: the forces alone are left to find
+    // How hard the lasting contacts are solved in a sub-step; here `settled` is in units of g h.
+    static constexpr SweepEffort k_usual{4, 1e-3, true};
+    static constexpr SweepEffort k_careful{8, 1e-3, true};     ///< where many grains overlap
+    static constexpr SweepEffort k_at_rest{32, 1e-10, false};  ///< where nothing moves: the forces are left to find
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
 
@@ -46,7 +42,8 @@ public:
     /// Advances bodies and trial poses from time to time + dt. `start` are the poses at which the contacts were found;
     /// the trial poses equal them at first. Fills impulses and losses of the report.
     void advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
-                 PoseSet& trial, std::int64_t step, double time, double dt, const Effort& effort, StepReport& report);
+                 PoseSet& trial, std::int64_t step, double time, double dt, const SweepEffort& effort,
+                 StepReport& report);
 
     /// The groups in which the contacts are swept.
     const ContactLanes& lanes() const { return lanes_; }
@@ -61,7 +58,7 @@ private:
     void find_moving_walls(const std::vector<GapContact>& contacts);
     void set_wall_velocities(std::vector<GapContact>& contacts, double time);
 
-    void lasting(std::vector<GapContact>& contacts, double h, const Effort& effort, bool first);
+    void lasting(std::vector<GapContact>& contacts, double h, const SweepEffort& effort, bool first);
     void push_by_all(const std::vector<GapContact>& contacts, GrainIndex grain);
     bool rests(double h) const;
     void stop();
