@@ -151,6 +151,14 @@ void set_range(GapPoint& point, const Vec2& a, bool a_bounds, const Vec2& b, boo
     point.high = high_bounds && high >= 0.0 ? high + slack : k_unbounded;
 }
 
+/// A vertex within the margin of the edge of the sector that holds it, in the frame of the other.
+struct NearVertex {
+    Vec2 p;
+    double gap;
+    int vertex;
+    int sector;
+};
+
 /// Vertices of `owner` near `other`; the owner is i where on_i. towards: unit, from the owner to the other, in the
 /// owner's frame; only vertices farther along it than `limit` can be near. Returns a length that no vertex is nearer to
 /// the outline of the other; negative where one is inside.
@@ -160,13 +168,20 @@ double add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, cons
     const Pose relative = owner_pose.relative_to(other_pose);
     const double circle = other.outer_radius() + rules.margin;
     double least = rules.margin;
+    thread_local std::vector<NearVertex> near;
+    near.resize(static_cast<std::size_t>(owner.size()) + 1);
+    std::size_t count = 0;
     any_vertex_beyond(owner, towards, limit, [&](int k) {
-        const Vec2 v = owner.vertex(k);
-        const Vec2 p = relative.to_world(v);
-        if (p.squaredNorm() >= circle * circle) return false;
+        const Vec2 p = relative.to_world(owner.vertex(k));
         const int sector = other.sector_of(p);
-        const double sector_gap = gap_to_edge(other, sector, p);
-        if (sector_gap > rules.margin) return false;
+        const double gap = gap_to_edge(other, sector, p);
+        near[count] = {p, gap, k, sector};
+        count += static_cast<std::size_t>((p.squaredNorm() < circle * circle) & (gap <= rules.margin));
+        return false;
+    });
+    for (std::size_t m = 0; m < count; ++m) {
+        const auto& [p, sector_gap, k, sector] = near[m];
+        const Vec2 v = owner.vertex(k);
         least = std::min(least, sector_gap);
         const Approach approach{p, relative.turned(owner.vertex(owner.previous(k)) - v),
                                 relative.turned(owner.vertex(owner.next(k)) - v)};
@@ -180,8 +195,7 @@ double add_vertex_points(const PolarPolygon& owner, const Pose& owner_pose, cons
                       other_pose.to_world(other.vertex(end)), !reentrant(other, end), rules.resting);
             points.push_back(point);
         }
-        return false;
-    });
+    }
     return least * other.evenness();
 }
 

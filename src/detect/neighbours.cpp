@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace polargrain {
@@ -11,6 +12,7 @@ namespace {
 
 /// Circles that a thread takes at a time.
 constexpr std::size_t k_run = 512;
+constexpr std::size_t k_changed_run = 32;
 
 std::uint32_t cell_hash(std::int64_t x, std::int64_t y, std::int32_t level) {
     std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL;
@@ -26,6 +28,8 @@ std::int64_t cell_of(double position, double cell) { return static_cast<std::int
 
 void NeighbourSearch::find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs) {
     pairs.clear();
+    loose_.clear();
+    is_loose_.assign(circles.size(), 0);
     if (circles.size() < 2) return;
     enter(circles);
     sort_into_buckets();
@@ -43,6 +47,64 @@ void NeighbourSearch::find_pairs(std::span<const BoundingCircle> circles, std::v
         }
     });
     gather(circles.size(), pairs);
+}
+
+void NeighbourSearch::renew_pairs(std::span<const BoundingCircle> circles, std::span<const GrainIndex> changed,
+                                  std::vector<GrainPair>& pairs) {
+    if (circles.size() < 2) return;
+    is_changed_.assign(circles.size(), 0);
+    for (const GrainIndex k : changed) {
+        is_changed_[Grains::at(k)] = 1;
+        if (is_loose_[Grains::at(k)]) continue;
+        is_loose_[Grains::at(k)] = 1;
+        loose_.push_back(k);
+    }
+    found_.resize((changed.size() + k_changed_run - 1) / k_changed_run);
+    parallel_.runs(changed.size(), k_changed_run, [&](std::size_t first, std::size_t last) {
+        found_[first / k_changed_run].clear();
+        for (std::size_t n = first; n < last; ++n) meet_all(changed[n], circles, found_[first / k_changed_run]);
+    });
+    merged_.clear();
+    for (const auto& found : found_) merged_.insert(merged_.end(), found.begin(), found.end());
+    const auto fresh = static_cast<std::ptrdiff_t>(merged_.size());
+    std::sort(merged_.begin(), merged_.end());
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(merged_), [&](const GrainPair& pair) {
+        return !is_changed_[Grains::at(pair.first)] && !is_changed_[Grains::at(pair.second)];
+    });
+    pairs.resize(merged_.size());
+    std::merge(merged_.begin(), merged_.begin() + fresh, merged_.begin() + fresh, merged_.end(), pairs.begin());
+}
+
+/// The pairs of a changed circle: with those that stand where they were entered, and with the loose ones.
+void NeighbourSearch::meet_all(GrainIndex self, std::span<const BoundingCircle> circles,
+                               std::vector<GrainPair>& pairs) const {
+    const BoundingCircle& circle = circles[Grains::at(self)];
+    const auto meet_one = [&](GrainIndex other) {
+        const BoundingCircle& reached = circles[Grains::at(other)];
+        const double reach = circle.radius + reached.radius;
+        if ((circle.centre - reached.centre).squaredNorm() >= reach * reach) return;
+        pairs.emplace_back(std::min(self, other), std::max(self, other));
+    };
+    for (const GrainIndex other : loose_) {
+        if (other < self || (other > self && !is_changed_[Grains::at(other)])) meet_one(other);
+    }
+    for (std::int32_t level = 0; level < static_cast<std::int32_t>(level_used_.size()); ++level) {
+        if (!level_used_[static_cast<std::size_t>(level)]) continue;
+        const double cell = cell_size(level);
+        const double reach = circle.radius + 0.5 * cell;  // no circle of the level is larger
+        const std::int64_t last_x = cell_of(circle.centre.x() + reach, cell);
+        const std::int64_t last_y = cell_of(circle.centre.y() + reach, cell);
+        for (std::int64_t x = cell_of(circle.centre.x() - reach, cell); x <= last_x; ++x) {
+            for (std::int64_t y = cell_of(circle.centre.y() - reach, cell); y <= last_y; ++y) {
+                const std::uint32_t b = bucket_of(x, y, level);
+                for (std::int32_t n = bucket_start_[b]; n < bucket_start_[b + 1]; ++n) {
+                    const Entry& other = sorted_[static_cast<std::size_t>(n)];
+                    if (other.level != level || other.cell_x != x || other.cell_y != y) continue;
+                    if (!is_loose_[Grains::at(other.circle)]) meet_one(other.circle);
+                }
+            }
+        }
+    }
 }
 
 // A counting sort by the lower grain; the few pairs of one grain are sorted by comparison.

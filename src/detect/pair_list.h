@@ -10,9 +10,9 @@ namespace polargrain {
 
 /// Pairs of grains that may touch, kept over several steps (a Verlet list).
 ///
-/// Each grain gets a margin of k_margin of its radius, or of k_ways_ahead times its way in a step; the list is made
-/// anew as soon as one grain has moved farther than its margin. A pair that is not listed cannot touch. What is listed
-/// beyond that never changes a result.
+/// Each grain gets a margin of k_margin of its radius, or of k_ways_ahead times its way in a step; the pairs of a grain
+/// that has moved farther than its margin are found anew, or all, where many have. A pair that is not listed cannot
+/// touch. What is listed beyond that never changes a result.
 class PairList {
 public:
     /// For the grains of a scene.
@@ -21,8 +21,8 @@ public:
     /// radii [m]: outer radii, one per grain.
     explicit PairList(std::vector<double> radii);
 
-    /// Brings the list up to date for grains that may be anywhere on the way from `from` to `to`; true if it was made
-    /// anew. All pairs whose circles meet at either end are listed afterwards.
+    /// Brings the list up to date for grains that may be anywhere on the way from `from` to `to`; true if it has
+    /// changed. All pairs whose circles meet at either end are listed afterwards.
     bool update(std::span<const Pose> from, std::span<const Pose> to) { return update(from, to, {}); }
 
     /// The same for grains that want to know of others within a clearance [m] about them; one per grain, or none.
@@ -34,6 +34,11 @@ public:
 private:
     static constexpr double k_margin = 0.2;
     static constexpr double k_ways_ahead = 4.0;
+    static constexpr std::size_t k_few = 32;  ///< at most one grain in so many is few
+
+    void find_left(std::span<const Pose> from, std::span<const Pose> to, std::span<const double> clearance);
+    void draw_circle(std::span<const Pose> from, std::span<const Pose> to, std::span<const double> clearance,
+                     std::size_t k);
 
     Parallel parallel_;
     std::vector<double> radii_;
@@ -41,6 +46,8 @@ private:
     std::vector<double> margin_;  ///< of the list as it was made [m]
     NeighbourSearch search_;
     std::vector<BoundingCircle> circles_;
+    std::vector<char> has_left_;    ///< of a grain: its margin
+    std::vector<GrainIndex> left_;  ///< those that have
     std::vector<GrainPair> pairs_;
 };
 

@@ -101,12 +101,13 @@ private:
     std::vector<std::uint8_t> sectors_;  // see first_in_bin; a byte a bin, or two where a byte is too short
 };
 
-// Rises with the angle from 0 at the positive x axis to 4 after a full turn (the "diamond angle").
+// Rises with the angle from 0 at the positive x axis to 4 after a full turn (the "diamond angle"): 1 - t above the axis
+// and 3 + t below, in a form without a branch, as no predictor can know on which side a vertex lies.
 inline double PolarPolygon::pseudo_angle(const Vec2& p) {
     const double sum = std::abs(p.x()) + std::abs(p.y());
     if (!(sum > 0.0)) return 0.0;
-    const double t = p.x() / sum;
-    return p.y() >= 0.0 ? 1.0 - t : 3.0 + t;
+    const double side = std::copysign(1.0, p.y());
+    return (2.0 - side) - side * (p.x() / sum);
 }
 
 // Sector that holds the lower bound of a bin of the pseudo-angle.
@@ -120,8 +121,11 @@ inline int PolarPolygon::sector_of(const Vec2& p) const {
     const double* px = x();
     const double* py = y();
     int q = first_in_bin(bin);
-    // Forward while p lies on or beyond the far ray of the sector. Bounded, for p = 0 and for slivers.
-    for (int tries = 0; tries < size_ && px[q + 1] * p.y() - py[q + 1] * p.x() >= 0.0; ++tries) q = next(q);
+    // Forward while p lies on or beyond the far ray of the sector. Whether by one is as good as chance, so that it is
+    // reckoned; by more is rare. Bounded, for p = 0 and for slivers.
+    q += static_cast<int>(px[q + 1] * p.y() - py[q + 1] * p.x() >= 0.0);
+    q -= size_ & -static_cast<int>(q == size_);
+    for (int tries = 1; tries < size_ && px[q + 1] * p.y() - py[q + 1] * p.x() >= 0.0; ++tries) q = next(q);
     // Round-off can place a point just short of a ray one bin too far.
     for (int tries = 0; tries < size_ && px[q] * p.y() - py[q] * p.x() < 0.0; ++tries) q = previous(q);
     return q;

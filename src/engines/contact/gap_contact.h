@@ -60,8 +60,8 @@ void make_contacts(const PairContacts& pair, std::span<const GapPoint> points, d
 /// Gives the impulses of a pair's old contacts to its new ones, as first guesses of the solver.
 void take_impulses_over(std::span<GapContact> now, std::span<GapContact> old);
 
-/// Velocity and inverse inertia of a grain, side by side for the solver's sweeps.
-struct SolverBody {
+/// Velocity and inverse inertia of a grain, side by side for the solver's sweeps and in one cache line.
+struct alignas(64) SolverBody {
     Vec2 velocity = Vec2::Zero();
     double spin = 0.0;
     double inverse_mass = 0.0;

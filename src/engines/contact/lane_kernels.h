@@ -10,7 +10,7 @@ constexpr int k_lanes = 8;
 
 /// The kernels see a SolverBody as so many numbers, of which the first four are velocity (x, y), spin and inverse mass:
 /// they are compiled without the headers that the rest of the program shares.
-constexpr std::ptrdiff_t k_body_stride = 6;
+constexpr std::ptrdiff_t k_body_stride = 8;
 
 /// A number of each of eight contacts.
 struct alignas(64) Lanes {
