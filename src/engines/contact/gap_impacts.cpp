@@ -13,7 +13,8 @@ namespace {
 
 /// Contacts, impacts, and contacts to be looked at, that a thread takes at a time.
 constexpr std::size_t k_run = 1024;
-constexpr std::size_t k_impacts_a_run = 32;
+constexpr std::size_t k_impacts_a_run = 16;  // at least
+constexpr std::size_t k_runs_a_thread = 2;
 constexpr std::size_t k_looks_a_run = 256;
 
 Motion motion_of(const SolverBody& body) { return {body.velocity, body.spin}; }
@@ -140,10 +141,18 @@ double GapImpacts::time_to_wall(const Strike& strike, double h) const {
     return root > 0.0 ? std::min(h, 2.0 * way / (strike.speed + std::sqrt(root))) : 0.0;
 }
 
+/// Turns that a thread takes at a time: rounds are short, so that they are cut evenly, or not at all.
+std::size_t GapImpacts::turns_a_run() const {
+    const std::size_t most = k_runs_a_thread * static_cast<std::size_t>(parallel_.threads());
+    const std::size_t runs = std::clamp<std::size_t>(turns_.size() / k_impacts_a_run, 1, most);
+    return std::max<std::size_t>(1, (turns_.size() + runs - 1) / runs);
+}
+
 void GapImpacts::strike_all() {
     blows_.resize(turns_.size());
     if (now_.report->record_impacts) records_.resize(Blow::k_most_pushes * turns_.size());
-    parallel_.runs(turns_.size(), k_impacts_a_run, [&](std::size_t first, std::size_t last) {
+    const std::size_t length = turns_a_run();
+    parallel_.runs(turns_.size(), length, [&](std::size_t first, std::size_t last) {
         for (std::size_t n = first; n < last; ++n) {
             if (turns_[n].flight == 0.0) strike(n);
         }
@@ -251,9 +260,10 @@ void GapImpacts::book() {
 /// The strikes of the next round: those of grains that have not been struck, and what strikes now among the others.
 void GapImpacts::look_again(double h) {
     std::erase_if(strikes_, [&](const Strike& s) { return is_struck(s.i) || is_struck(s.j); });
-    const std::size_t runs = begin_looks(turns_.size(), k_impacts_a_run);
-    parallel_.runs(turns_.size(), k_impacts_a_run, [&](std::size_t first, std::size_t last) {
-        for (std::size_t n = first; n < last; ++n) look_about(turns_[n], h, found_[first / k_impacts_a_run]);
+    const std::size_t length = turns_a_run();
+    const std::size_t runs = begin_looks(turns_.size(), length);
+    parallel_.runs(turns_.size(), length, [&](std::size_t first, std::size_t last) {
+        for (std::size_t n = first; n < last; ++n) look_about(turns_[n], h, found_[first / length]);
     });
     add_strikes(runs);
 }

@@ -83,6 +83,7 @@ private:
     bool is_struck(BodyIndex body) const {
         return !is_wall(body) && grains_[static_cast<std::size_t>(body)].struck == round_;
     }
+    std::size_t turns_a_run() const;
     void strike_all();
     void strike_in_flight(std::size_t turn);
     void strike(std::size_t turn);
