@@ -18,7 +18,8 @@ struct Pose {
 
     /// From the grain's own frame to the frame that the pose is given in.
     Vec2 turned(const Vec2& v) const { return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()}; }
-    // Number by number: two numbers just written and read back as one vector would have to leave the store buffer first.
+    // Number by number: two numbers just written and read back as one vector would have to leave the store buffer
+    // first.
     Vec2 to_world(const Vec2& local) const {
         return {centre.x() + (cosine * local.x() - sine * local.y()),
                 centre.y() + (sine * local.x() + cosine * local.y())};
