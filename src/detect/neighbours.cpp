@@ -24,7 +24,24 @@ std::uint32_t cell_hash(std::int64_t x, std::int64_t y, std::int32_t level) {
 
 std::int64_t cell_of(double position, double cell) { return static_cast<std::int64_t>(std::floor(position / cell)); }
 
+bool do_meet(const BoundingCircle& a, const BoundingCircle& b) {
+    const double reach = a.radius + b.radius;
+    return (a.centre - b.centre).squaredNorm() < reach * reach;
+}
+
+GrainPair pair_of(GrainIndex a, GrainIndex b) { return {std::min(a, b), std::max(a, b)}; }
+
 }  // namespace
+
+/// Calls visit(circle) for every circle that was entered in a cell.
+template <typename Visit>
+void NeighbourSearch::each_in(std::int64_t x, std::int64_t y, std::int32_t level, const Visit& visit) const {
+    const std::uint32_t b = bucket_of(x, y, level);
+    for (std::int32_t n = bucket_start_[b]; n < bucket_start_[b + 1]; ++n) {
+        const Entry& entry = sorted_[static_cast<std::size_t>(n)];
+        if (entry.level == level && entry.cell_x == x && entry.cell_y == y) visit(entry.circle);
+    }
+}
 
 void NeighbourSearch::find_pairs(std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs) {
     pairs.clear();
@@ -79,14 +96,9 @@ void NeighbourSearch::renew_pairs(std::span<const BoundingCircle> circles, std::
 void NeighbourSearch::meet_all(GrainIndex self, std::span<const BoundingCircle> circles,
                                std::vector<GrainPair>& pairs) const {
     const BoundingCircle& circle = circles[Grains::at(self)];
-    const auto meet_one = [&](GrainIndex other) {
-        const BoundingCircle& reached = circles[Grains::at(other)];
-        const double reach = circle.radius + reached.radius;
-        if ((circle.centre - reached.centre).squaredNorm() >= reach * reach) return;
-        pairs.emplace_back(std::min(self, other), std::max(self, other));
-    };
     for (const GrainIndex other : loose_) {
-        if (other < self || (other > self && !is_changed_[Grains::at(other)])) meet_one(other);
+        const bool mine = other < self || (other > self && !is_changed_[Grains::at(other)]);
+        if (mine && do_meet(circle, circles[Grains::at(other)])) pairs.push_back(pair_of(self, other));
     }
     for (std::int32_t level = 0; level < static_cast<std::int32_t>(level_used_.size()); ++level) {
         if (!level_used_[static_cast<std::size_t>(level)]) continue;
@@ -96,12 +108,10 @@ void NeighbourSearch::meet_all(GrainIndex self, std::span<const BoundingCircle> 
         const std::int64_t last_y = cell_of(circle.centre.y() + reach, cell);
         for (std::int64_t x = cell_of(circle.centre.x() - reach, cell); x <= last_x; ++x) {
             for (std::int64_t y = cell_of(circle.centre.y() - reach, cell); y <= last_y; ++y) {
-                const std::uint32_t b = bucket_of(x, y, level);
-                for (std::int32_t n = bucket_start_[b]; n < bucket_start_[b + 1]; ++n) {
-                    const Entry& other = sorted_[static_cast<std::size_t>(n)];
-                    if (other.level != level || other.cell_x != x || other.cell_y != y) continue;
-                    if (!is_loose_[Grains::at(other.circle)]) meet_one(other.circle);
-                }
+                each_in(x, y, level, [&](GrainIndex other) {
+                    if (is_loose_[Grains::at(other)]) return;
+                    if (do_meet(circle, circles[Grains::at(other)])) pairs.push_back(pair_of(self, other));
+                });
             }
         }
     }
@@ -181,17 +191,10 @@ void NeighbourSearch::meet(const Entry& self, std::int32_t level, std::span<cons
     for (std::int64_t place = own_level ? k_own_cell : 0; place < 9; ++place) {
         const std::int64_t x = cx - 1 + place % 3;
         const std::int64_t y = cy - 1 + place / 3;
-        const std::uint32_t b = bucket_of(x, y, level);
-        for (std::int32_t n = bucket_start_[b]; n < bucket_start_[b + 1]; ++n) {
-            const Entry& other = sorted_[static_cast<std::size_t>(n)];
-            if (other.level != level || other.cell_x != x || other.cell_y != y) continue;
-            if (own_level && place == k_own_cell && other.circle <= self.circle) continue;
-            const BoundingCircle& reached = circles[static_cast<std::size_t>(other.circle)];
-            const double reach = circle.radius + reached.radius;
-            if ((circle.centre - reached.centre).squaredNorm() < reach * reach) {
-                pairs.emplace_back(std::min(self.circle, other.circle), std::max(self.circle, other.circle));
-            }
-        }
+        each_in(x, y, level, [&](GrainIndex other) {
+            if (own_level && place == k_own_cell && other <= self.circle) return;
+            if (do_meet(circle, circles[Grains::at(other)])) pairs.push_back(pair_of(self.circle, other));
+        });
     }
 }
 

@@ -51,6 +51,8 @@ private:
     void gather(std::size_t circles, std::vector<GrainPair>& pairs);
     void meet(const Entry& self, std::int32_t level, std::span<const BoundingCircle> circles,
               std::vector<GrainPair>& pairs) const;
+    template <typename Visit>
+    void each_in(std::int64_t x, std::int64_t y, std::int32_t level, const Visit& visit) const;
     void meet_all(GrainIndex self, std::span<const BoundingCircle> circles, std::vector<GrainPair>& pairs) const;
     double cell_size(std::int32_t level) const;
     std::uint32_t bucket_of(std::int64_t x, std::int64_t y, std::int32_t level) const;
