@@ -27,22 +27,6 @@ double hexagonal_height_sum(GrainIndex n, double r, double width) {
     return sum;
 }
 
-/// Columns that a line is laid through.
-std::vector<std::size_t> columns_of_line(const Scene& scene, const BedSurface& surface,
-                                         const std::optional<Region>& region) {
-    const Vec2 up = upwards(scene);
-    const Vec2 across = right_normal(up);
-    std::vector<std::size_t> columns;
-    for (std::size_t c = 0; c < surface.heights.size(); ++c) {
-        if (surface.heights[c] <= 0.0) continue;
-        const Vec2 top = surface.station(c) * across + (*outlet_height(scene) + surface.heights[c]) * up;
-        if (!region || region->holds(top)) columns.push_back(c);
-    }
-    if (region) return columns;
-    const auto skip = static_cast<std::ptrdiff_t>(columns.size() / 5);
-    return {columns.begin() + skip, columns.end() - skip};
-}
-
 }  // namespace
 
 Vec2 upwards(const Scene& scene) {
@@ -96,41 +80,6 @@ double mean_outer_radius(const Scene& scene) {
     return radii / scene.grains.size();
 }
 
-double BedSurface::area_under() const {
-    double under = 0.0;
-    for (const double height : heights) under += width * height;
-    return under;
-}
-
-std::optional<BedSurface> bed_surface(const Scene& scene, const Grains& grains) {
-    const std::optional<double> floor = outlet_height(scene);
-    if (!floor || grains.empty()) return std::nullopt;
-    const Vec2 up = upwards(scene);
-    const Vec2 across = right_normal(up);
-    const auto [left, right] = wall_width(scene);
-    const double columns = std::max(1.0, std::round((right - left) / (2.0 * mean_outer_radius(scene))));
-    BedSurface surface;
-    surface.left = left;
-    surface.width = (right - left) / columns;
-    surface.heights.assign(static_cast<std::size_t>(columns), 0.0);
-    for (GrainIndex k = 0; k < grains.size(); ++k) {
-        const Shape& shape = scene.shape(grains.shape[Grains::at(k)]);
-        const double height = up.dot(grains.position(k)) - *floor;
-        const double station = std::floor((across.dot(grains.position(k)) - left) / surface.width);
-        if (height < 0.0 || station < 0.0 || station >= columns) continue;
-        surface.filled += area(shape);
-        double& top = surface.heights[static_cast<std::size_t>(station)];
-        top = std::max(top, height + outer_radius(shape));
-    }
-    return surface;
-}
-
-double area_fraction(const Scene& scene, const Grains& grains) {
-    const std::optional<BedSurface> surface = bed_surface(scene, grains);
-    if (!surface || !(surface->area_under() > 0.0)) return std::nan("");
-    return surface->filled / surface->area_under();
-}
-
 double potential_over_hexagonal(const Scene& scene, const Grains& grains) {
     const std::optional<double> floor = outlet_height(scene);
     const std::vector<GrainIndex> in = grains_in(scene, grains);
@@ -149,24 +98,6 @@ double potential_over_hexagonal(const Scene& scene, const Grains& grains) {
     const auto [left, right] = wall_width(scene);
     if (right - left < 2.0 * radius) return std::nan("");
     return weighted / (mass / n * hexagonal_height_sum(static_cast<GrainIndex>(in.size()), radius, right - left));
-}
-
-double surface_slope(const Scene& scene, const Grains& grains, const std::optional<Region>& region) {
-    const std::optional<BedSurface> surface = bed_surface(scene, grains);
-    if (!surface) return std::nan("");
-    const std::vector<std::size_t> columns = columns_of_line(scene, *surface, region);
-    if (columns.size() < 3) return std::nan("");
-    const auto n = static_cast<double>(columns.size());
-    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (const std::size_t c : columns) {
-        x += surface->station(c) / n;
-        y += surface->heights[c] / n;
-    }
-    for (const std::size_t c : columns) {
-        xx += (surface->station(c) - x) * (surface->station(c) - x);
-        xy += (surface->station(c) - x) * (surface->heights[c] - y);
-    }
-    return std::atan(xy / xx);
 }
 
 }  // namespace polargrain

@@ -24,7 +24,7 @@ const std::vector<ObservableEntry>& table() {
         {"bridge_time_share", number, k_opening, 0, false, "share of the time during which a bridge stands"},
         {"bridge_grains", count, k_opening, 0, false, "grains in the bridge that stands over an opening"},
 
-        {"area_fraction", number, 0, 0, true, "area of the grains over the area under their surface"},
+        {"area_fraction", number, 0, 0, true, "area of the grains over the area under the top grains"},
         {"potential_over_hexagonal", number, 0, 0, true, "potential energy over that of a hexagonal packing"},
         {"angle_of_repose", angle, 0, k_region, false, "slope of the free surface, without its sign"},
         {"surface_slope", angle, 0, k_region, false, "slope of the free surface, positive where it rises to the right"},

@@ -6,6 +6,7 @@
 
 #include "src/observe/bed.h"
 #include "src/observe/force_chains.h"
+#include "src/observe/free_surface.h"
 #include "src/observe/mixing.h"
 #include "src/observe/motion.h"
 #include "src/observe/structure.h"

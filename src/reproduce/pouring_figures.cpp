@@ -4,6 +4,7 @@
 
 #include "scenarios/reader.h"
 #include "src/observe/bed.h"
+#include "src/observe/free_surface.h"
 #include "src/plot/plot.h"
 #include "src/record/trajectory_reader.h"
 #include "src/reproduce/recorded_run.h"
@@ -83,8 +84,7 @@ void add_findings(std::vector<Finding>& findings, const std::string& engine, con
     if (engine == "contact-1994") {
         findings.push_back({engine, "area fraction under the top disks", area, 0.78, 0.82, "",
                             "[HN94, sec. 4.2]: 0.80; Monte Carlo 0.805; Berryman's bounds 0.80 to 0.84",
-                            "the bed freezes before it is dense; how the paper counts the surface is not said, and its "
-                            "own step, disks and box are unknown"});
+                            "the bed freezes before it is dense; the paper's disks and box are unknown"});
     } else {
         findings.push_back({engine, "area fraction under the top disks", area, 0.85, 0.89, "",
                             "0.02 about the 0.870 of three soft-sphere programs; hexagonal 0.9069", k_heaped});
@@ -143,7 +143,7 @@ FigureResult draw_fig14(const FigureDesk& desk) {
         for (GrainIndex k = 0; k < last.world.grains.size(); ++k) {
             fastest = std::max(fastest, std::sqrt(last.world.grains.velocity(k).squaredNorm()));
         }
-        const double height = bed_surface(recording.scene(), last.world.grains)->area_under() / 0.4;
+        const double height = *area_under_tops(recording.scene(), last.world.grains) / 0.4;
         result.findings.push_back({engine, "mean height of the bed at 0.6 s over that of a hexagonal packing",
                                    height / (500.0 * k_pi * 1e-4 / 0.9069 / 0.4), 1.0, 1.12, "",
                                    "[HN94, Fig. 14 at 0.6 s]: a bed at rest; 0.80 to 0.9069 make 1.13 to 1",
@@ -198,7 +198,7 @@ FigureResult draw_fig15(const FigureDesk& desk) {
     result.paragraphs = {
         "The curve that the paper plots, the system's potential energy over the smallest possible, and the area "
         "fraction that "
-        "it prints. The surface is cut into columns one disk wide, each as high as the top of its highest disk.",
+        "it prints: the area of the disks over the area under the top disks.",
         "Equal disks without friction order: three independent soft-sphere programs end at 0.870. The paper's 0.80 is "
         "below "
         "that, as it must be for a method that leaves a grain where it is when its move is rejected."};

@@ -1,38 +1,16 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "src/observe/bed.h"
+#include "src/observe/free_surface.h"
 #include "tests/dem/dem_runs.h"
 
 namespace polargrain {
 namespace {
 
 using testing::Running;
-
-/// Area fraction of disks of a radius below the height that all but `share` of their centres lie under, by points on a
-/// grid of a twentieth of the radius.
-double area_fraction_under_the_top(const Grains& grains, double width, double radius, double share) {
-    std::vector<double> heights = grains.y;
-    std::sort(heights.begin(), heights.end());
-    const double top = heights[static_cast<std::size_t>((1.0 - share) * static_cast<double>(heights.size()))];
-    const double pitch = 0.05 * radius;
-    std::int64_t inside = 0;
-    std::int64_t all = 0;
-    for (double y = 0.5 * pitch; y < top; y += pitch) {
-        for (double x = 0.5 * pitch; x < width; x += pitch, ++all) {
-            for (GrainIndex k = 0; k < grains.size(); ++k) {
-                if ((grains.position(k) - Vec2(x, y)).squaredNorm() < radius * radius) {
-                    ++inside;
-                    break;
-                }
-            }
-        }
-    }
-    return static_cast<double>(inside) / static_cast<double>(all);
-}
 
 struct Packing {
     double friction;
@@ -51,7 +29,7 @@ TEST_P(SoftPour, PacksFiveHundredDisksAsSoftSpheresDo) {
         Running sim(testing::make_default_dem, testing::pour(testing::PourShape::disk, 500, seed, 0.8, asked.friction));
         sim.run(1.5, 1e-3);
         const auto& disk = std::get<Disk>(sim.scene.shape_of(0));
-        const double one = area_fraction_under_the_top(sim.world.grains, 0.4, disk.radius(), 0.06);
+        const double one = area_fraction(sim.scene, sim.world.grains);
         const double height = potential_over_hexagonal(sim.scene, sim.world.grains);
         fmt::print(
             "friction {} seed {}: area fraction {:.4f}, potential {:.4f}, made by the scheme {:.2g} of the energy\n",
