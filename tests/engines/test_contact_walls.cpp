@@ -165,6 +165,42 @@ TEST(Drum, TwoRevolutionsKeepTheGrainsInsideAndTheTorqueBalancesTheirWeight) {
     EXPECT_NEAR(torque_of_drum / -torque_of_weight, 1.0, 0.05);
 }
 
+/// Smooth disks of many sizes between smooth walls, on a floor that sinks a grain in a second.
+Scene bed_on_a_sinking_floor(std::uint64_t seed) {
+    Scene scene = testing::empty_scene(0.2, 0.0);
+    const double width = 10.0 * k_d;
+    testing::add_wall(scene, "left", {{0.0, 4.0}, {0.0, -1.0}});
+    testing::add_wall(scene, "right", {{width, -1.0}, {width, 4.0}});
+    testing::add_wall(scene, "floor", {{0.0, 0.0}, {width, 0.0}},
+                      SineMotion{{0.0, -1.0}, 10.0 * k_d, 0.1 / (2.0 * k_pi), 0.0});
+    RandomStream random(seed, RandomPurpose::test);
+    for (int k = 0; k < 200; ++k) {
+        const ShapeIndex disk = testing::add_disk(scene, 0.5 * k_d * random.uniform(0.8, 1.2));
+        scene.add(Grain{
+            disk, 0, {(0.7 + 1.25 * (k % 7)) * k_d, (0.7 + 1.25 * (k / 7)) * k_d}, 0.0, {0.1 * random.normal(), 0.0}});
+    }
+    return scene;
+}
+
+/// What sweeps leave unbalanced must not hold a bed up: all of its weight is on the floor that it follows.
+TEST(SinkingFloor, BearsTheWholeWeightOfASmoothBed) {
+    for (const std::uint64_t seed : {1, 2}) {
+        Running sim(make_contact, bed_on_a_sinking_floor(seed));
+        const double dt = 5e-4;
+        sim.run(1.0, dt);
+        double share = 0.0;
+        const int steps = 2000;
+        for (int k = 0; k < steps; ++k) {
+            sim.step(dt);
+            share -= sim.wall_force(2, dt).y() / sim.weight() / steps;
+        }
+        fmt::print("seed {}: share of the weight {:.5f} (1), created {:.2g} E0, rises {:.2g} E0\n", seed, share,
+                   sim.ledger.created / sim.start_energy, sim.ledger.rises / sim.start_energy);
+        EXPECT_NEAR(share, 1.0, 2e-3);
+        EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
+    }
+}
+
 TEST(Plug, OnceRemovedLetsItsGrainsFallFreely) {
     Scene scene = testing::empty_scene(0.2, 0.2);
     testing::add_wall(scene, "plug", {{-1.0, 0.0}, {1.0, 0.0}});

@@ -17,18 +17,6 @@ namespace {
 /// Grains or contacts that a thread takes at a time.
 constexpr std::size_t k_run = 1024;
 
-/// Kinetic energy of grains before and after a sub-step, and what gravity does on their way in it [J/m].
-struct Balance {
-    double before = 0.0, after = 0.0, fall = 0.0;
-
-    Balance& operator+=(const Balance& more) {
-        before += more.before;
-        after += more.after;
-        fall += more.fall;
-        return *this;
-    }
-};
-
 }  // namespace
 
 void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
@@ -146,6 +134,10 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Sweep
     } else {
         lanes_.sweep(bodies_, h, {effort.sweeps, settled, effort.in_pairs});
     }
+    find_pushed();
+}
+
+void GapSolver::find_pushed() {
     pushed_.assign(bodies_.size(), 0);
     lanes_.mark_pushed(pushed_);
 }
@@ -180,15 +172,32 @@ void GapSolver::stop() {
     }
 }
 
-/// Notes what lasting contacts have given each grain, and slows these grains where the sub-step would otherwise create
-/// energy because the sweeps have not converged.
+/// Keeps the sub-step from creating energy because the sweeps have not converged.
 ///
-/// Slower by the factor f, they have f^2 of their kinetic energy and take f of their way against gravity, so some f
-/// always keeps the energy from rising; and as no target asks for parting, gaps among slowed grains and to walls at
-/// rest are kept. While a moving wall pushes, nothing is slowed: grains would be overrun.
+/// Grains in lasting contact are slowed. Slower by the factor f, they have f^2 of their kinetic energy and take f of
+/// their way against gravity, so some f always keeps the energy from rising; and as no target asks for parting, gaps
+/// among slowed grains and to walls at rest are kept. While a moving wall pushes, grains slowed would be overrun; and a
+/// bed that follows a floor slowly would be held back by a good part of its weight. Then it is swept on instead: each
+/// change of an impulse takes energy in the frame of what it pushes against.
 void GapSolver::keep_energy(const std::vector<GapContact>& contacts, double h) {
+    const Balance balance = weigh(h);
+    if (!moving_wall_pushes(contacts)) {
+        if (balance.excess() > 0.0) slow_down(balance);
+        return;
+    }
+    const double tolerance = k_unsettled * balance.kick + k_round_off * balance.before;
+    double excess = balance.excess() - work_of_walls(contacts);
+    for (int more = 0; more < k_most_more_sweeps && excess > tolerance; more += k_more_sweeps) {
+        lanes_.sweep(bodies_, h, {k_more_sweeps, 0.0, false});
+        find_pushed();
+        excess = weigh(h).excess() - work_of_walls(contacts);
+    }
+}
+
+/// Notes what lasting contacts have given each grain, too.
+GapSolver::Balance GapSolver::weigh(double h) {
     const Vec2 kick = h * scene_.gravity;
-    const auto [before, after, fall] = parallel_.sum(grains_, k_run, [&](std::size_t first, std::size_t last) {
+    return parallel_.sum(grains_, k_run, [&](std::size_t first, std::size_t last) {
         Balance sum;
         for (std::size_t k = first; k < last; ++k) {
             if (!pushed_[k]) continue;
@@ -196,15 +205,16 @@ void GapSolver::keep_energy(const std::vector<GapContact>& contacts, double h) {
             push_[k] = {body.velocity - (velocity_before_[k] + kick), body.spin - spin_before_[k]};
             const SolverBody earlier{velocity_before_[k], spin_before_[k], body.inverse_mass, body.inverse_inertia};
             sum += {kinetic_energy(earlier), kinetic_energy(body),
-                    h * scene_.gravity.dot(body.velocity) / body.inverse_mass};
+                    h * scene_.gravity.dot(body.velocity) / body.inverse_mass,
+                    0.5 * kick.squaredNorm() / body.inverse_mass};
         }
         return sum;
     });
-    for (const std::size_t k : moving_) {
-        if (lanes_.normal_impulse(k) > 0.0 && contacts[k].wall_velocity != Vec2::Zero()) return;
-    }
-    if (after - fall <= before) return;
+}
+
+void GapSolver::slow_down(const Balance& balance) {
     // The larger root of after f^2 - fall f - before = 0, in the form that loses no digits.
+    const auto& [before, after, fall, kick] = balance;
     const double root = std::sqrt(fall * fall + 4.0 * after * before);
     const double f = fall >= 0.0 ? (fall + root) / (2.0 * after) : 2.0 * before / (root - fall);
     for (std::size_t k = 0; k < grains_; ++k) {
@@ -212,6 +222,23 @@ void GapSolver::keep_energy(const std::vector<GapContact>& contacts, double h) {
         bodies_[k].velocity *= f;
         bodies_[k].spin *= f;
     }
+}
+
+bool GapSolver::moving_wall_pushes(const std::vector<GapContact>& contacts) const {
+    return std::any_of(moving_.begin(), moving_.end(), [&](std::size_t k) {
+        return lanes_.normal_impulse(k) > 0.0 && contacts[k].wall_velocity != Vec2::Zero();
+    });
+}
+
+/// Of walls on grains in this sub-step [J/m].
+double GapSolver::work_of_walls(const std::vector<GapContact>& contacts) const {
+    double work = 0.0;
+    for (const std::size_t k : moving_) {
+        const GapContact& c = contacts[k];
+        const Vec2 impulse = lanes_.normal_impulse(k) * c.normal + lanes_.tangent_impulse(k) * c.tangent();
+        work += impulse.dot(c.wall_velocity);
+    }
+    return work;
 }
 
 void GapSolver::move(std::vector<GapContact>& contacts, PoseSet& trial, double h, StepReport& report) {

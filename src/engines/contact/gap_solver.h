@@ -36,6 +36,13 @@ public:
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
 
+    // Where a moving wall pushes and energy rises by more than these parts of what gravity's kick is worth and of the
+    // kinetic energy, the sub-step is swept on, some sweeps at a time.
+    static constexpr double k_unsettled = 1e-3;
+    static constexpr double k_round_off = 1e-12;
+    static constexpr int k_more_sweeps = 4;
+    static constexpr int k_most_more_sweeps = 32;
+
     explicit GapSolver(const Scene& scene)
         : scene_(scene), parallel_(std::max(1, scene.threads)), halfway_(scene), impacts_(scene), lanes_(scene) {}
 
@@ -53,6 +60,21 @@ public:
                          const PoseSet& poses);
 
 private:
+    /// Kinetic energy of the pushed grains before and after a sub-step, what gravity does on their way in it, and the
+    /// kinetic energy that its kick would give them at rest [J/m].
+    struct Balance {
+        double before = 0.0, after = 0.0, fall = 0.0, kick = 0.0;
+
+        double excess() const { return after - fall - before; }
+        Balance& operator+=(const Balance& more) {
+            before += more.before;
+            after += more.after;
+            fall += more.fall;
+            kick += more.kick;
+            return *this;
+        }
+    };
+
     void prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const;
     void prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies) const;
     void find_moving_walls(const std::vector<GapContact>& contacts);
@@ -62,7 +84,12 @@ private:
     void push_by_all(const std::vector<GapContact>& contacts, GrainIndex grain);
     bool rests(double h) const;
     void stop();
+    void find_pushed();
     void keep_energy(const std::vector<GapContact>& contacts, double h);
+    Balance weigh(double h);
+    void slow_down(const Balance& balance);
+    bool moving_wall_pushes(const std::vector<GapContact>& contacts) const;
+    double work_of_walls(const std::vector<GapContact>& contacts) const;
     void move(std::vector<GapContact>& contacts, PoseSet& trial, double h, StepReport& report);
     void leave_edge(std::size_t contact, GapContact& c, StepReport& report);
     void add_to_guess(const GapContact& c, double part);
