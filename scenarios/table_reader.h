@@ -46,8 +46,8 @@ bool is_plain_name(std::string_view name);
 /// Reads one table of a scenario, checks it, and writes each value, given or default, into the resolved scenario.
 ///
 /// Building one refuses keys that the table does not take, with the nearest one it does. Every accessor throws
-/// InputError with file, line, column, key path and remedy. `finish` proves that each key that the table takes was
-/// read. Refers to the document, which must outlive it.
+/// InputError with file, line, column, key path and remedy. `finish` proves that each key given was read. Refers to
+/// the document, which must outlive it.
 class TableReader {
 public:
     /// The top of the file.

@@ -17,7 +17,8 @@ struct SourceLocation {
 
 /// The user's mistake: always on, ends the program with exit code 2.
 ///
-/// The message says what is wrong and what to do about it; `located` puts file, line and column in front.
+/// The message says what is wrong and what to do about it; the constructor with a place puts file, line and column in
+/// front.
 class InputError : public std::runtime_error {
 public:
     explicit InputError(const std::string& message) : std::runtime_error(message) {}

@@ -40,7 +40,7 @@ double least_rise(const Approach& v, const Vec2& normal) {
     return std::min(v.to_previous.dot(normal), v.to_next.dot(normal));
 }
 
-/// What a vertex near a polygon contributes: up to two edges and gaps.
+/// What a vertex near a polygon contributes: up to three edges and gaps.
 struct EdgeGap {
     int edge;
     double gap;

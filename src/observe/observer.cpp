@@ -108,6 +108,7 @@ void check_observable(const ObservableSpec& spec, const Scene& scene) {
     check_name("wall", spec.wall, walls);
     check_name("shape of grains", spec.shape, shapes);
     check_name("material", spec.material, materials);
+    make_meter(spec, scene);  // what it refuses by itself
 }
 
 struct Observer::Meter {

@@ -45,7 +45,7 @@ private:
     std::unique_ptr<Meter> meter_;
 };
 
-/// What Observer's constructor refuses, without building one.
+/// What Observer's constructor refuses.
 void check_observable(const ObservableSpec& spec, const Scene& scene);
 
 }  // namespace polargrain

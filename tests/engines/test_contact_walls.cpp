@@ -176,15 +176,18 @@ Scene bed_on_a_sinking_floor(std::uint64_t seed) {
     RandomStream random(seed, RandomPurpose::test);
     for (int k = 0; k < 200; ++k) {
         const ShapeIndex disk = testing::add_disk(scene, 0.5 * k_d * random.uniform(0.8, 1.2));
-        scene.add(Grain{
-            disk, 0, {(0.7 + 1.25 * (k % 7)) * k_d, (0.7 + 1.25 * (k / 7)) * k_d}, 0.0, {0.1 * random.normal(), 0.0}});
+        scene.add(Grain{disk,
+                        0,
+                        {(0.7 + 1.25 * (k % 7)) * k_d, (0.7 + 1.25 * std::floor(k / 7.0)) * k_d},
+                        0.0,
+                        {0.1 * random.normal(), 0.0}});
     }
     return scene;
 }
 
 /// What sweeps leave unbalanced must not hold a bed up: all of its weight is on the floor that it follows.
 TEST(SinkingFloor, BearsTheWholeWeightOfASmoothBed) {
-    for (const std::uint64_t seed : {1, 2}) {
+    for (const std::uint64_t seed : {1U, 2U}) {
         Running sim(make_contact, bed_on_a_sinking_floor(seed));
         const double dt = 5e-4;
         sim.run(1.0, dt);

@@ -42,6 +42,16 @@ TEST(CheckObservable, SaysWhatIsWrong) {
     EXPECT_EQ(complaint([](ObservableSpec& s) { s.wall = "box"; }, "wall_pressure"), "");
 }
 
+TEST(CheckObservable, SaysWhatAMeterItselfRefuses) {
+    Scene scene = disks_at({{0.05, 0.02}, {0.07, 0.02}});
+    add_open_box(scene, 0.2, 1.0);
+    scene.gravity = Vec2::Zero();
+    ObservableSpec spec;
+    spec.quantity = "bridges";
+    spec.opening = Opening{{0.05, 0.0}, {0.1, 0.0}};
+    EXPECT_THROW(check_observable(spec, scene), InputError);
+}
+
 /// Enough of a specification for any observable.
 ObservableSpec full_spec(const ObservableEntry& entry) {
     ObservableSpec spec;

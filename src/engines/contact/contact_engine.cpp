@@ -401,7 +401,8 @@ void ContactEngine::save(Checkpoint& checkpoint) const {
                                    c.tangent_impulse, c.low, c.high});
     }
     for (const PairContacts& p : pairs_) pairs.insert(pairs.end(), {p.i, p.j, p.piece, p.first, p.count});
-    checkpoint.put("contact/state", std::vector<std::int64_t>{detected_ ? 1 : 0, careful_});
+    checkpoint.put("contact/state",
+                   std::vector<std::int64_t>{detected_ ? 1 : 0, careful_, detection_.began_clean() ? 1 : 0});
     checkpoint.put("contact/opening", std::vector<double>{opening_left_});
     checkpoint.put("contact/integers", std::move(integers));
     checkpoint.put("contact/reals", std::move(reals));
@@ -417,7 +418,7 @@ void ContactEngine::load(const Checkpoint& checkpoint) {
     detected_ = state.at(0) != 0;
     careful_ = static_cast<int>(state.at(1));
     stillness_.forget();
-    if (detected_) detection_.begin_clean();
+    if (state.at(2) != 0) detection_.begin_clean();
     contacts_.clear();
     pairs_.clear();
     for (std::size_t k = 0; (k + 1) * k_contact_integers <= integers.size(); ++k) {

@@ -4,6 +4,13 @@
 
 namespace polargrain {
 
+namespace {
+
+/// Cosine between the normals of what may be one contact, found twice: they part by less than half a right angle.
+constexpr double k_same_way = 0.7;
+
+}  // namespace
+
 std::size_t first_with_wall(const std::vector<GapContact>& contacts) {
     const auto first =
         std::partition_point(contacts.begin(), contacts.end(), [](const GapContact& c) { return !is_wall(c.j); });
@@ -48,7 +55,8 @@ void take_impulses_over(std::span<GapContact> now, std::span<GapContact> old) {
     done.assign(old.size(), 0);
     for (GapContact& c : now) {
         for (std::size_t k = 0; k < old.size(); ++k) {
-            if (done[k] || old[k].on_i != c.on_i || old[k].vertex != c.vertex || old[k].normal.dot(c.normal) < 0.7)
+            if (done[k] || old[k].on_i != c.on_i || old[k].vertex != c.vertex ||
+                old[k].normal.dot(c.normal) < k_same_way)
                 continue;
             take_over(c, old[k]);
             done[k] = 1;
@@ -60,7 +68,7 @@ void take_impulses_over(std::span<GapContact> now, std::span<GapContact> old) {
         GapContact* nearest = nullptr;
         double least = std::numeric_limits<double>::infinity();
         for (GapContact& c : now) {
-            if (c.normal_impulse != 0.0 || old[k].normal.dot(c.normal) < 0.7) continue;
+            if (c.normal_impulse != 0.0 || old[k].normal.dot(c.normal) < k_same_way) continue;
             const double d = (c.point - old[k].point).squaredNorm();
             if (d < least) {
                 least = d;

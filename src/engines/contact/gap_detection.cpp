@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polargrain {
 
@@ -27,7 +28,8 @@ bool before_pair(const PairContacts& p, const PairContacts& q) {
 }  // namespace
 
 void PoseSet::resize(std::size_t n) {
-    centre.resize(n);
+    // Nowhere, so that no grain is taken to stand already where it is put.
+    centre.resize(n, Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
     angle.resize(n);
     pose.resize(n);
 }

@@ -39,6 +39,7 @@ public:
 
     /// From now on the poses `before` are known not to overlap, which saves most of the tests.
     void begin_clean() { clean_ = true; }
+    bool began_clean() const { return clean_; }
 
     /// Detects again only what a moved grain takes part in; the rest is kept.
     void detect_moved(const PoseSet& before, const PoseSet& now, const std::vector<char>& moved);

@@ -125,7 +125,7 @@ void TrialCheck::check_pairs(const TrialConfiguration& configuration, const Grai
 
 void TrialCheck::record(const TrialConfiguration& configuration, const Grains& grains,
                         const std::vector<char>& rejected, std::vector<RecordedContact>& contacts) const {
-    std::sort(contacts.begin(), contacts.end(), by_bodies);
+    std::stable_sort(contacts.begin(), contacts.end(), by_bodies);
     const std::size_t sorted = contacts.size();
     // A grain rejected for the sake of one that stays has run into that one's current pose.
     for (const auto& [stays, dependant] : overlaps_.order) {

@@ -35,7 +35,7 @@ private:
 };
 
 /// Boxes entered in every cell that they cover [ML04, sec. 3]; a pair is reported only by the cell that holds the lower
-/// left corner of what both boxes have in common, so never twice. Cells of k_cells_per_diameter mean diameters: O(N)
+/// left corner of what both boxes have in common, so never twice. Cells of k_cell_in_diameters mean diameters: O(N)
 /// also for sizes far apart. `pairs` is cleared first.
 class CgridSearch {
 public:

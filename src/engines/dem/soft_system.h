@@ -167,7 +167,6 @@ private:
     /// The impulse on b that adds the energy [J/m], but at most `most` [N s/m].
     Vec2 balance(const SoftContact& c, std::span<const double> x, double energy, double most, std::span<double> v);
     void push(BodyIndex grain, const Vec2& arm, const Vec2& impulse, std::span<double> v);
-    Motion motion_before(BodyIndex body) const { return is_wall(body) ? walls_.motion_before(body) : Motion{}; }
     static Vec2 place(std::span<const double> x, BodyIndex grain) {
         const std::size_t k = 3 * Grains::at(grain);
         return {x[k], x[k + 1]};
