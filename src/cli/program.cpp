@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "src/cli/commands.h"
+#include "src/cli/messages.h"
 #include "src/cli/shell_words.h"
 #include "src/core/build_info.h"
 #include "src/core/error.h"
@@ -281,8 +282,8 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
     const bool unknown_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
     const auto parsed = app.get_subcommands();
     const std::string command = parsed.empty() ? "" : " " + parsed.front()->get_name();
-    fmt::print(stderr, "polargrain{}: {}{}\nsee polargrain{} --help\n", command, error.what(),
-               unknown_words ? hint_for(app) : "", command);
+    tell("polargrain{}: {}{}\nsee polargrain{} --help\n", command, error.what(), unknown_words ? hint_for(app) : "",
+         command);
     return k_exit_wrong_input;
 }
 
@@ -290,17 +291,22 @@ int run_action(const Action& action) {
     try {
         return action();
     } catch (const InputError& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        tell("error: {}\n", error.what());
         return k_exit_wrong_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        tell("error: {}\n", error.what());
         return k_exit_failed;
     }
 }
 
-}  // namespace
+/// The exit code of what has been done, unless something that it printed could not be written.
+int after_output(int code) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    tell("error: what was printed could not all be written to the standard output\n");
+    return code == k_exit_done ? k_exit_failed : code;
+}
 
-int run_program(int argc, const char* const* argv) {
+int parse_and_run(int argc, const char* const* argv) {
     // Too large a file is then an error of the write that meets it, as on a full disk, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app{"polargrain: 2D granular flow with real grain shapes", "polargrain"};
@@ -345,8 +351,12 @@ int run_program(int argc, const char* const* argv) {
         return explain(app, error);
     }
     if (action) return run_action(action);
-    fmt::print(stderr, "{}", app.help());
+    tell("{}", app.help());
     return k_exit_wrong_input;
 }
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) { return after_output(parse_and_run(argc, argv)); }
 
 }  // namespace polargrain

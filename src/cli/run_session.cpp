@@ -14,6 +14,7 @@
 #include "src/cli/commands.h"
 #include "src/cli/folder_lock.h"
 #include "src/cli/interrupt.h"
+#include "src/cli/messages.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/run_report.h"
 #include "src/cli/shell_words.h"
@@ -77,10 +78,10 @@ void check_fit(const RunSession& session, const PreparedRun& run, const Labelled
             "began the run, {}",
             file, dt, run.time_step.dt, saved.label.version);
     if (saved.label.version == now.version && saved.label.build == now.build) return;
-    fmt::print(stderr,
-               "warning: the run was begun by another build ({} {}); where that computes other bits, the result is "
-               "neither its own nor this one's\n",
-               saved.label.version, saved.label.build);
+    tell(
+        "warning: the run was begun by another build ({} {}); where that computes other bits, the result is "
+        "neither its own nor this one's\n",
+        saved.label.version, saved.label.build);
 }
 
 /// One run on its way: what its stages share.
@@ -223,10 +224,10 @@ RunCost Session::cost() const {
 }
 
 int Session::report_interrupt(const std::string& where) const {
-    fmt::print(stderr,
-               "interrupted {}; a checkpoint has been written, and what was computed so far is in {}\n"
-               "to carry the run on: {}\n",
-               where, session_.folder.string(), session_.resume_line());
+    tell(
+        "interrupted {}; a checkpoint has been written, and what was computed so far is in {}\n"
+        "to carry the run on: {}\n",
+        where, session_.folder.string(), session_.resume_line());
     return k_exit_interrupted;
 }
 

@@ -15,6 +15,7 @@
 #include "src/cli/commands.h"
 #include "src/cli/folder_lock.h"
 #include "src/cli/interrupt.h"
+#include "src/cli/messages.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/shell_words.h"
@@ -214,7 +215,7 @@ int report(const std::vector<Job>& jobs, const fs::path& table, bool quiet) {
     for (const Job& job : jobs) {
         if (!job.failed) continue;
         ++failed;
-        fmt::print(stderr, "run {} failed; what it said is in {}\n", job.name, job.log().string());
+        tell("run {} failed; what it said is in {}\n", job.name, job.log().string());
     }
     if (!quiet) fmt::print("{} runs, {} failed: {}\n", jobs.size(), failed, table.string());
     return failed == 0 ? k_exit_done : k_exit_failed;
@@ -234,9 +235,9 @@ int sweep_command(const SweepRequest& request) {
                    schedule.done());
     }
     if (!run_all(schedule, static_cast<std::int64_t>(jobs.size()), request.quiet)) {
-        fmt::print(stderr, "interrupted; {} of {} runs are done\nto carry the sweep on: {} sweep {} -o {}\n",
-                   schedule.done(), jobs.size(), shell_quoted(request.program), shell_quoted(request.file.string()),
-                   shell_quoted(folder.string()));
+        tell("interrupted; {} of {} runs are done\nto carry the sweep on: {} sweep {} -o {}\n", schedule.done(),
+             jobs.size(), shell_quoted(request.program), shell_quoted(request.file.string()),
+             shell_quoted(folder.string()));
         return k_exit_interrupted;
     }
     const fs::path table = folder / "table.csv";

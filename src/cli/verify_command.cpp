@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/cli/commands.h"
+#include "src/cli/messages.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_folder.h"
 #include "src/cli/verification.h"
@@ -108,7 +109,7 @@ int verify_command(const VerifyRequest& request) {
             std::fflush(stdout);
             const int ended = run_once(request, task, k, place);
             if (ended != k_exit_done) {
-                if (!place.kept()) fmt::print(stderr, "that folder was a temporary one; -o DIR keeps the runs\n");
+                if (!place.kept()) tell("that folder was a temporary one; -o DIR keeps the runs\n");
                 return ended;
             }
             add_run(verification, task.scenario, folder_of(place, request, task, k) / "summary.json");

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <cstdlib>
 #include <ostream>
 
 #include "tests/cli/program_runner.h"
@@ -68,6 +70,21 @@ TEST(CommandLine, MistakesEndWithTwoAndAHint) {
         EXPECT_EQ(outcome.exit_code, 2) << says << "\n" << outcome.out;
         EXPECT_THAT(outcome.err, HasSubstr(says));
     }
+}
+
+TEST(CommandLine, OutputThatIsLostFailsAndAnErrorThatNobodyCanReadIsStillThatError) {
+    const ScratchFolder scratch;
+    const auto exit_code = [&](const std::string& rest) {
+        const int status =
+            std::system(("cd " + scratch.path().string() + " && " POLARGRAIN_BINARY_DIR "/polargrain " + rest).c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    };
+    for (const char* command : {"check fig9", "list", "--help", "--version", "shape gear"}) {
+        EXPECT_EQ(exit_code(std::string(command) + " >/dev/full 2>/dev/null"), 1) << command;
+    }
+    EXPECT_EQ(exit_code("check nosuch 2>/dev/full"), 2);
+    EXPECT_EQ(exit_code("list --nosuch 2>/dev/full"), 2);
+    EXPECT_EQ(exit_code("check nosuch >/dev/full 2>/dev/full"), 2);
 }
 
 TEST(CommandLine, ListsWhatIsThere) {
