@@ -202,7 +202,8 @@ int compare_command(const CompareRequest& request) {
     watch_interrupts();
     try {
         const Comparison comparison = session.run();
-        create_run_folder(folder);
+        make_run_folder(folder);
+        clear_run_folder(folder);
         const std::string report = report_text(comparison);
         TextFile file(folder / "report.md");
         file.write(report);

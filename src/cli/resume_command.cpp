@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "src/cli/commands.h"
+#include "src/cli/folder_lock.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_session.h"
 #include "src/core/error.h"
@@ -35,6 +36,7 @@ int resume_command(const ResumeRequest& request) {
     require(fs::is_regular_file(session.scenario_file()),
             "{}: is no run folder, there is no scenario.toml in it; give a folder that polargrain run has made",
             request.folder.string());
+    const FolderLock lock(session.folder);
     const std::optional<LabelledCheckpoint> saved = last_checkpoint(session);
     ScenarioOverrides overrides;
     if (request.until) {
@@ -46,7 +48,7 @@ int resume_command(const ResumeRequest& request) {
     PreparedRun run = prepare_run(session.scenario_file().string(), overrides);
     if (!request.quiet) print_where(session, saved, run.scenario.run.duration);
     try {
-        return run_session(session, run, saved ? &*saved : nullptr);
+        return run_session(session, lock, run, saved ? &*saved : nullptr);
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {

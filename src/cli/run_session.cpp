@@ -12,7 +12,6 @@
 
 #include "render/frames_sink.h"
 #include "src/cli/commands.h"
-#include "src/cli/folder_lock.h"
 #include "src/cli/interrupt.h"
 #include "src/cli/messages.h"
 #include "src/cli/progress_display.h"
@@ -253,8 +252,8 @@ double time_reached(const LabelledCheckpoint& saved) {
     return static_cast<double>(running.integers("step").at(0)) * saved.content.reals(k_time_step).at(0);
 }
 
-int run_session(const RunSession& session, PreparedRun& run, const LabelledCheckpoint* saved) {
-    const FolderLock lock(session.folder);
+int run_session(const RunSession& session, const FolderLock& /*lock*/, PreparedRun& run,
+                const LabelledCheckpoint* saved) {
     watch_interrupts();  // from the moment there is something to resume
     if (saved != nullptr) check_fit(session, run, *saved);
     std::error_code ignored;

@@ -100,6 +100,24 @@ TEST_F(Run, RefusesAFileInPlaceOfTheFolder) {
     EXPECT_EQ(read_file(scratch_ / "three.toml"), k_three_disks);
 }
 
+TEST_F(Run, LosesNothingToASecondRunInItsFolder) {
+    scratch_.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e6"));
+    RunningProgram first({"run", "long.toml", "-o", "long"}, scratch_.path());
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!fs::exists(scratch_ / "long" / "checkpoint.h5") && std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    const Outcome second = run({"long.toml", "-o", "long", "--force"});
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_THAT(second.err, HasSubstr("another polargrain is running"));
+    for (const char* file : {"scenario.toml", "checkpoint.h5", "series.csv", "trajectory.h5"}) {
+        EXPECT_TRUE(fs::exists(scratch_ / "long" / file)) << file;
+    }
+    first.send(SIGINT);
+    EXPECT_EQ(first.wait().exit_code, 130);
+    EXPECT_EQ(summary_of(scratch_ / "long").at("interrupted"), true);
+}
+
 TEST_F(Run, QuietPrintsNothing) {
     scratch_.write("three.toml", k_three_disks);
     const Outcome outcome = run({"three.toml", "--quiet"});
