@@ -100,6 +100,7 @@ public:
     int carry_out();
 
 private:
+    void begin_folder() const;
     bool let_settle();
     std::vector<std::unique_ptr<Sink>> make_sinks() const;
     Ending simulate(Simulation& simulation);
@@ -122,6 +123,10 @@ private:
 int Session::carry_out() {
     Scenario& scenario = run_.scenario;
     const bool running = saved_ != nullptr && holds(saved_->content, k_running);
+    const std::vector<std::unique_ptr<Sink>> sinks = make_sinks();
+    // Whatever could refuse to be carried on does so before anything in the folder is changed.
+    if (running) check_sinks(sinks, scenario.scene, saved_->content.part(k_running));
+    begin_folder();
     if (running) {
         load_motion(saved_->content.part(k_start), scenario.scene.grains);
     } else if (scenario.settle && !let_settle()) {
@@ -135,7 +140,6 @@ int Session::carry_out() {
     info.title = scenario.title;
     info.source = scenario.source;
     Simulation simulation(scenario.scene, *engine, info);
-    const std::vector<std::unique_ptr<Sink>> sinks = make_sinks();
     for (const auto& sink : sinks) simulation.add(*sink);
     Measurements measurements(scenario.expectations, reading_interval(scenario.output, scenario.run.duration));
     simulation.add(measurements);
@@ -150,6 +154,13 @@ int Session::carry_out() {
     if (!session_.quiet && !session_.brief) print_summary(summary, initial_energy(scenario.scene), session_.folder);
     if (ending == Ending::completed) return k_exit_done;
     return report_interrupt(fmt::format("at t = {:.6g} of {:.6g} s", summary.simulated_seconds, info.duration));
+}
+
+/// A folder with a summary has been brought to an end: from here on this one has not.
+void Session::begin_folder() const {
+    std::error_code ignored;
+    fs::remove(session_.folder / "summary.json", ignored);
+    write_whole_file(session_.scenario_file(), run_.scenario.resolved_toml);
 }
 
 /// Replaces the scene's grains by the settled ones. False where it was stopped.
@@ -256,9 +267,6 @@ int run_session(const RunSession& session, const FolderLock& /*lock*/, PreparedR
                 const LabelledCheckpoint* saved) {
     watch_interrupts();  // from the moment there is something to resume
     if (saved != nullptr) check_fit(session, run, *saved);
-    std::error_code ignored;
-    fs::remove(session.folder / "summary.json", ignored);  // a folder that has one has been brought to an end
-    write_whole_file(session.scenario_file(), run.scenario.resolved_toml);
     return Session(session, run, saved).carry_out();
 }
 
