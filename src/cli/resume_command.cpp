@@ -4,6 +4,7 @@
 #include "src/cli/folder_lock.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_session.h"
+#include "src/cli/shell_words.h"
 #include "src/core/error.h"
 
 namespace polargrain {
@@ -14,7 +15,15 @@ namespace {
 
 /// None where the run was killed before it had written its first.
 std::optional<LabelledCheckpoint> last_checkpoint(const RunSession& session) {
-    if (!fs::exists(session.checkpoint_file())) return std::nullopt;
+    if (!fs::exists(session.checkpoint_file())) {
+        const std::string folder = session.folder.string();
+        require(!fs::exists(session.folder / "summary.json"),
+                "{}: is gone, and without it a run that has come to its end cannot be carried on; bring it back, or "
+                "run all of it again: {} run {} -o {} --force",
+                session.checkpoint_file().string(), shell_quoted(session.program),
+                shell_quoted(session.scenario_file().string()), shell_quoted(folder));
+        return std::nullopt;
+    }
     return read_checkpoint(session.checkpoint_file());
 }
 

@@ -287,6 +287,20 @@ TEST_F(Resume, ThatIsRefusedChangesNothing) {
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
 }
 
+TEST_F(Resume, DoesNotBeginAFinishedRunAnewWhereItsCheckpointIsGone) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(polargrain({"run", "three.toml", "-o", "run"}).exit_code, 0);
+    fs::remove(scratch_ / "run" / "checkpoint.h5");
+    const auto before = folder("run");
+    const Outcome refused = polargrain({"resume", "run", "--until", "0.1"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("run/checkpoint.h5"));
+    EXPECT_THAT(refused.err, HasSubstr("polargrain run run/scenario.toml -o run --force"));
+    EXPECT_TRUE(folder("run") == before);
+    EXPECT_EQ(polargrain({"run", "run/scenario.toml", "-o", "run", "--force"}).exit_code, 0) << "as it says";
+    expect_equal_files(scratch_ / "run", before);
+}
+
 TEST_F(Resume, LeavesARunInProgressAlone) {
     scratch_.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e6"));
     RunningProgram program({"run", "long.toml", "-o", "long"}, scratch_.path());
