@@ -118,6 +118,30 @@ TEST_F(Run, LosesNothingToASecondRunInItsFolder) {
     EXPECT_EQ(summary_of(scratch_ / "long").at("interrupted"), true);
 }
 
+TEST_F(Run, KeepsTheOldRunWhereTheNewOneCannotBegin) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
+    const std::string before = read_file(scratch_ / "here" / "summary.json");
+    const struct {
+        std::vector<std::string> arguments;
+        const char* says;
+    } cases[] = {{{"three.toml", "--engine", "box2d", "--set", "run.time_step=0.02"}, "Box2D cuts off"},
+                 {{"three.toml", "--set", "run.gravity=0", "--set",
+                   "output.observe=[{quantity=\"bridge_life\",opening=[[-0.1,0],[0.1,0]]}]"},
+                  "gravity"}};
+    for (const auto& [arguments, says] : cases) {
+        std::vector<std::string> forced = arguments;
+        forced.insert(forced.end(), {"-o", "here", "--force"});
+        const Outcome refused = run(forced);
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_THAT(refused.err, HasSubstr(says));
+        EXPECT_EQ(read_file(scratch_ / "here" / "summary.json"), before);
+        std::vector<std::string> checked = arguments;
+        checked.insert(checked.begin(), "check");
+        EXPECT_EQ(run_polargrain(checked, scratch_.path()).exit_code, 2);
+    }
+}
+
 TEST_F(Run, QuietPrintsNothing) {
     scratch_.write("three.toml", k_three_disks);
     const Outcome outcome = run({"three.toml", "--quiet"});
