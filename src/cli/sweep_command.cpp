@@ -116,7 +116,7 @@ public:
     /// Lets each run in progress write a checkpoint and end.
     void stop() {
         for (const Job& job : jobs_) {
-            if (job.child) job.child->interrupt();
+            if (job.child) job.child->interrupt(signal_for_children());
         }
         for (Job& job : jobs_) {
             if (job.child) job.child->wait();

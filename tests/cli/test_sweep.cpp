@@ -90,6 +90,27 @@ TEST_F(Sweep, GoesOnAfterAKill) {
     }
 }
 
+TEST_F(Sweep, ASignalToAllItsProgramsLetsEachRunWriteACheckpoint) {
+    scratch_.write("long.toml", replaced(k_sweep, "run.duration = 0.02", "run.duration = 1e5"));
+    for (const int signal : {SIGINT, SIGTERM}) {
+        RunningProgram program({"sweep", "long.toml", "-o", "cut", "--jobs", "2"}, scratch_.path());
+        const fs::path runs = scratch_ / "cut" / "runs";
+        const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (!(fs::exists(runs / "0000" / "checkpoint.h5") && fs::exists(runs / "0001" / "checkpoint.h5")) &&
+               std::chrono::steady_clock::now() < give_up) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        program.send_to_all(signal);
+        EXPECT_EQ(program.wait().exit_code, 130);
+        for (const char* run : {"0000", "0001"}) {
+            const auto summary = nlohmann::json::parse(read_file(runs / run / "summary.json"), nullptr, false);
+            ASSERT_TRUE(summary.is_object()) << run << " was ended without a summary, nor a checkpoint";
+            EXPECT_EQ(summary.at("interrupted"), true);
+        }
+        fs::remove_all(scratch_ / "cut");
+    }
+}
+
 TEST_F(Sweep, LeavesCompleteRunsAlone) {
     ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
     const auto written = fs::last_write_time(scratch_ / "swept" / "runs" / "0003" / "summary.json");
