@@ -111,6 +111,41 @@ TEST_F(Sweep, ASignalToAllItsProgramsLetsEachRunWriteACheckpoint) {
     }
 }
 
+TEST_F(Sweep, RefusesToReplaceRunsOfAScenarioThatHasBeenChangedSince) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    const std::string table = read_file(scratch_ / "swept" / "table.csv");
+    const std::string summary = read_file(scratch_ / "swept" / "runs" / "0000" / "summary.json");
+    scratch_.write("three.toml", replaced(k_three_disks, "density = 2000.0", "density = 2500.0"));
+    const Outcome refused = polargrain({"sweep", "sweep.toml", "-o", "swept"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("three.toml: has been changed"), HasSubstr("--force")));
+    EXPECT_EQ(read_file(scratch_ / "swept" / "table.csv"), table);
+    EXPECT_EQ(read_file(scratch_ / "swept" / "runs" / "0000" / "summary.json"), summary);
+    EXPECT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept", "--force"}).exit_code, 0);
+    EXPECT_NE(read_file(scratch_ / "swept" / "table.csv"), table);
+}
+
+TEST_F(Sweep, ThatReplacesAnotherGoesOnWithoutForceAfterCtrlC) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    scratch_.write("three.toml", replaced(k_three_disks, "density = 2000.0", "density = 2500.0"));
+    scratch_.write("slow.toml", replaced(k_sweep, "run.duration = 0.02", "run.duration = 1e5"));
+    RunningProgram program({"sweep", "slow.toml", "-o", "swept", "--force"}, scratch_.path());
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const fs::path first = scratch_ / "swept" / "runs" / "0000";
+    while ((!fs::exists(first / "checkpoint.h5") || fs::exists(first / "summary.json")) &&
+           std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    program.send_to_all(SIGINT);
+    EXPECT_EQ(program.wait().exit_code, 130);
+    RunningProgram again({"sweep", "slow.toml", "-o", "swept"}, scratch_.path());
+    while (fs::exists(first / "summary.json") && std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    again.send_to_all(SIGINT);
+    EXPECT_EQ(again.wait().exit_code, 130) << "is not refused";
+}
+
 TEST_F(Sweep, LeavesCompleteRunsAlone) {
     ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
     const auto written = fs::last_write_time(scratch_ / "swept" / "runs" / "0003" / "summary.json");
