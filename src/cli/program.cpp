@@ -181,7 +181,7 @@ void add_verify(CLI::App& app, VerifyRequest& request, Action& action) {
         ->type_name("N")
         ->check(CLI::Range(1, 10000));
     add_overrides(*command, request.overrides);
-    command->add_flag("--force", request.force, "replace the runs that are in the folder");
+    command->add_flag("--force", request.force, "replace the runs, and verify.csv, that are in the folder");
     command->add_flag("--quiet", request.quiet, "print the tables and nothing else");
     command->footer(
         "Examples:\n"

@@ -94,6 +94,11 @@ int run_once(const VerifyRequest& request, const Task& task, int k, const RunPla
 int verify_command(const VerifyRequest& request) {
     const std::vector<Task> tasks = read_tasks(request);
     const RunPlace place(request.folder);
+    const fs::path table = place.path() / "verify.csv";
+    require(request.force || !fs::exists(table),
+            "{}: is there already; give another folder with -o, or --force to "
+            "replace it",
+            table.string());
     for (const Task& task : tasks) {
         for (int k = 0; k < request.seeds; ++k) check_run_folder(folder_of(place, request, task, k), request.force);
     }
@@ -120,7 +125,6 @@ int verify_command(const VerifyRequest& request) {
         verifications.push_back(std::move(verification));
     }
     if (place.kept()) {
-        const fs::path table = place.path() / "verify.csv";
         TextFile file(table);
         file.write(verification_csv(verifications));
         file.close();
