@@ -142,6 +142,20 @@ TEST_F(Run, KeepsTheOldRunWhereTheNewOneCannotBegin) {
     }
 }
 
+TEST_F(Run, ANameThatIsNotUtf8IsRefusedInReadingUnlessThereIsATitle) {
+    const std::string untitled = replaced(k_three_disks, "title = \"Three disks\"\n", "");
+    scratch_.write("\xff.toml", untitled);
+    for (const char* command : {"check", "run"}) {
+        const Outcome refused = run_polargrain({command, "\xff.toml"}, scratch_.path());
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_THAT(refused.err, HasSubstr("UTF-8"));
+        EXPECT_FALSE(fs::exists(scratch_ / "out"));
+    }
+    EXPECT_EQ(run({"\xff.toml", "-o", "bad", "--set", "title=\xff"}).exit_code, 2);
+    ASSERT_EQ(run({"\xff.toml", "-o", "good", "--set", "title=Disks"}).exit_code, 0);
+    EXPECT_EQ(run_polargrain({"resume", "good"}, scratch_.path()).exit_code, 0);
+}
+
 TEST_F(Run, QuietPrintsNothing) {
     scratch_.write("three.toml", k_three_disks);
     const Outcome outcome = run({"three.toml", "--quiet"});
