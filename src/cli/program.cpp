@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -33,12 +34,22 @@ std::string command_line(std::span<const char* const> words) {
     return line;
 }
 
+/// What is wrong with a seed, nothing where it is one.
+std::string seed_problem(const std::string& word) {
+    std::int64_t seed = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
+    if (error == std::errc{} && end == word.data() + word.size() && seed >= 0 && seed <= k_largest_seed) return "";
+    return fmt::format("{} is no seed; give a whole number from 0 to {}", word, k_largest_seed);
+}
+
 void add_overrides(CLI::App& command, ScenarioOverrides& overrides) {
     command.add_option("--set", overrides.set, "lay a value over the file, e.g. run.duration=2 (may be repeated)")
         ->type_name("KEY.PATH=VALUE")
         ->allow_extra_args(false);
     command.add_option("--engine", overrides.engine, "engine in place of run.engine")->type_name("NAME");
-    command.add_option("--seed", overrides.seed, "random seed in place of run.seed")->type_name("N");
+    command.add_option("--seed", overrides.seed, "random seed in place of run.seed")
+        ->type_name("N")
+        ->check(seed_problem, "", "");
     command.add_option("--threads", overrides.threads, "threads in place of run.threads")
         ->type_name("N")
         ->check(CLI::PositiveNumber);

@@ -176,7 +176,17 @@ TEST_F(Sweep, SaysWhatIsWrongInItsFile) {
     EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[vary]\nrun.duratoin = [1]\n"), HasSubstr("duration"));
     EXPECT_THAT(refusal_of("scenario = \"four.toml\"\n"), HasSubstr("wrong.toml:1:12: scenario: four.toml"));
     EXPECT_THAT(refusal_of("scenario = \n"), HasSubstr("not valid TOML"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nframes = \"true\"\n"),
+                HasSubstr("wrong.toml:2:10: frames: is a string, must be true or false"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nseeds = 10000000000\n"),
+                HasSubstr("wrong.toml:2:9: seeds: 10000000000 are more than the 100000 runs"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nseeds = 100000\nengines = [\"contact\", \"dem\"]\n"),
+                HasSubstr("makes 200000 runs"));
     EXPECT_EQ(polargrain({"sweep", "none.toml"}).exit_code, 2);
+    fs::create_directories(scratch_ / "folder");
+    const Outcome folder = polargrain({"sweep", "folder"});
+    EXPECT_EQ(folder.exit_code, 2);
+    EXPECT_THAT(folder.err, HasSubstr("is a folder"));
 }
 
 }  // namespace
