@@ -28,21 +28,25 @@ std::filesystem::path FramesSink::file_of(std::int64_t frame) const {
 
 void FramesSink::save(Checkpoint& checkpoint) {
     for (; synced_ < count_; ++synced_) sync_file(file_of(synced_));
-    index_->sync();
+    index_->save(checkpoint);
     checkpoint.put("count", std::vector{count_});
-    checkpoint.put("length", std::vector{index_->length()});
 }
 
-void FramesSink::resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) {
-    style_ = make_frame_style(settings_, scene, info.title, info.dt);
-    count_ = synced_ = saved.integers("count").at(0);
-    for (std::int64_t frame = 0; frame < count_; ++frame) {
+void FramesSink::check(const Scene& /*scene*/, const Checkpoint& saved) const {
+    for (std::int64_t frame = 0; frame < saved.integers("count").at(0); ++frame) {
         require(std::filesystem::exists(file_of(frame)), "{}: is missing, but was there when the checkpoint was made",
                 file_of(frame).string());
     }
+    TextFile::check(folder_ / "index.csv", saved);
+}
+
+void FramesSink::resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) {
+    check(scene, saved);
+    style_ = make_frame_style(settings_, scene, info.title, info.dt);
+    count_ = synced_ = saved.integers("count").at(0);
     for (std::int64_t frame = count_; std::filesystem::remove(file_of(frame)); ++frame) {
     }
-    index_.emplace(folder_ / "index.csv", saved.integers("length").at(0));
+    index_.emplace(folder_ / "index.csv", saved);
 }
 
 void FramesSink::sample(const Sample& sample) {

@@ -19,6 +19,7 @@ public:
     double every() const override { return settings_.every; }
     void begin(const Scene& scene, const RunInfo& info) override;
     void save(Checkpoint& checkpoint) override;
+    void check(const Scene& scene, const Checkpoint& saved) const override;
     void resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) override;
     void sample(const Sample& sample) override;
     void end() override;

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "scenarios/toml_text.h"
+
 namespace polargrain {
 
 namespace {
@@ -130,6 +132,7 @@ std::filesystem::path Document::folder() const { return path_.parent_path(); }
 void Document::apply(const ScenarioOverrides& overrides) {
     for (const std::string& text : overrides.set) {
         const std::string origin = "--set " + text;
+        require(fits_toml(text), "{}: is not UTF-8", origin);
         const std::size_t equals = text.find('=');
         require(equals != std::string::npos, "{}: has no \"=\"; write key.path=value, for example run.duration=2",
                 origin);

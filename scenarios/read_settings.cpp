@@ -8,9 +8,8 @@ namespace polargrain {
 
 namespace {
 
-constexpr std::int64_t k_largest_seed = 9'007'199'254'740'992;  // 2^53: every tool that reads the file keeps it exact
 constexpr NumberRange k_seconds{1e-9, 1e6, "a positive number of seconds (1e-9 to 1e6)"};
-constexpr NumberRange k_interval{0.0, 1e6, "zero (off) or a positive number of seconds (up to 1e6)"};
+constexpr NumberRange k_interval{0.0, 1e6, "zero (off) or a number of seconds (1e-9 to 1e6)"};
 
 const std::vector<std::string>& engine_names() {
     static const std::vector<std::string> names = {"contact", "contact-1994", "box2d", "dem"};
@@ -27,9 +26,17 @@ std::optional<double> read_time_step(TableReader& run) {
     return run.number("time_step", k_seconds);
 }
 
+double read_interval(TableReader& table, const std::string& key, double fallback) {
+    const double interval = table.number(key, k_interval, fallback);
+    if (interval > 0.0 && interval < k_seconds.low) {
+        table.fail(key, fmt::format("is {}, must be {}", interval, k_interval.words));
+    }
+    return interval;
+}
+
 double read_every(TableReader& output, const std::string& key, double fallback) {
     TableReader table = output.table(key, key_table("output." + key));
-    const double every = table.number("every", k_interval, fallback);
+    const double every = read_interval(table, "every", fallback);
     output.adopt(key, table);
     return every;
 }
@@ -64,7 +71,7 @@ FrameSettings read_frames(TableReader& output, const Scene& scene, const FrameSe
                                                      "shape", "material", "contacts", "force",          "none"};
     TableReader table = output.table("frames", key_table("output.frames"));
     FrameSettings frames;
-    frames.every = table.number("every", k_interval, defaults.every);
+    frames.every = read_interval(table, "every", defaults.every);
     frames.format = table.choice("format", formats, defaults.format);
     frames.width = static_cast<int>(table.integer("width", 16, 16384, defaults.width));
     frames.height = static_cast<int>(table.integer("height", 0, 16384, defaults.height));
@@ -122,7 +129,7 @@ void read_output(Reading& reading) {
     output.series_every = read_every(table, "series", output.series_every);
     output.impacts = table.flag("impacts", output.impacts);
     TableReader checkpoint = table.table("checkpoint", key_table("output.checkpoint"));
-    output.checkpoint_every_wall = checkpoint.number("every_wall", k_interval, output.checkpoint_every_wall);
+    output.checkpoint_every_wall = read_interval(checkpoint, "every_wall", output.checkpoint_every_wall);
     table.adopt("checkpoint", checkpoint);
     output.observe = read_observe(reading, table);
     append_section(reading.resolved, "[output]", table);

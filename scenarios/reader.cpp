@@ -4,6 +4,7 @@
 #include "scenarios/grain_groups.h"
 #include "scenarios/keys.h"
 #include "scenarios/sections.h"
+#include "scenarios/toml_text.h"
 
 namespace polargrain {
 
@@ -12,7 +13,13 @@ namespace {
 constexpr const char* k_resolved_head = "# As run by polargrain: every default and override is written out.\n\n";
 
 void read_title(Reading& reading, const std::filesystem::path& path) {
-    reading.scenario.title = reading.top.text("title", path.stem().string());
+    const std::string name = path.stem().string();
+    if (!reading.top.has("title") && !fits_toml(name)) {
+        throw InputError({path.string(), 0, 0},
+                         "title: is missing, and the name of the file cannot take its place, because it is not UTF-8; "
+                         "give the run a title, or the file another name");
+    }
+    reading.scenario.title = reading.top.text("title", name);
     reading.scenario.source = reading.top.text("source", "");
     reading.resolved += reading.top.resolved_lines();
 }

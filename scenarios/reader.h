@@ -10,6 +10,9 @@
 
 namespace polargrain {
 
+/// 2^53: every tool that reads a file with it keeps it exact.
+inline constexpr std::int64_t k_largest_seed = 9'007'199'254'740'992;
+
 /// What the command line lays over a scenario file.
 struct ScenarioOverrides {
     std::vector<std::string>

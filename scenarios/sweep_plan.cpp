@@ -16,11 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t k_most_runs = 100'000;
+
 /// A parsed sweep file that knows where everything stands in it.
 class SweepFile {
 public:
     explicit SweepFile(const fs::path& path) : path_(path) {
         std::ifstream file(path, std::ios::binary);
+        require(!fs::is_directory(path), "{}: is a folder; name a sweep file in it", path.string());
         require(file.good(), "{}: there is no such sweep file; docs/sweep.md explains how to write one", path.string());
         text_.assign(std::istreambuf_iterator<char>(file), {});
         try {
@@ -81,6 +84,15 @@ std::string text_of(const SweepFile& file, const char* key, const std::string& f
     return node->value_or(fallback);
 }
 
+bool flag_of(const SweepFile& file, const char* key, bool fallback) {
+    const toml::node* node = file.root().get(key);
+    if (node == nullptr) return fallback;
+    if (!node->is_boolean()) {
+        file.fail(node->source(), fmt::format("{}: is {}, must be true or false, without quotes", key, kind_of(*node)));
+    }
+    return node->value_or(fallback);
+}
+
 fs::path scenario_of(const SweepFile& file) {
     const toml::node* node = file.root().get("scenario");
     if (node == nullptr) file.fail("scenario: is missing; name a scenario file, or a shipped scenario");
@@ -107,7 +119,14 @@ std::vector<std::uint64_t> seeds_of(const SweepFile& file) {
     if (const toml::array* values = node->as_array()) {
         for (const toml::node& value : *values) seeds.push_back(number(value));
     } else {
-        for (std::uint64_t seed = 1; seed <= number(*node); ++seed) seeds.push_back(seed);
+        const std::uint64_t count = number(*node);
+        if (count > k_most_runs) {
+            file.fail(node->source(),
+                      fmt::format("seeds: {} are more than the {} runs that a sweep can have; in [ ] it "
+                                  "would be one seed",
+                                  count, k_most_runs));
+        }
+        for (std::uint64_t seed = 1; seed <= count; ++seed) seeds.push_back(seed);
     }
     if (seeds.empty()) file.fail(node->source(), "seeds: are none; leave the key out for the scenario's own");
     return seeds;
@@ -144,6 +163,18 @@ void for_each_setting(const SweepFile& file, const toml::table& table, const std
     }
 }
 
+/// Each run is read and checked before the first one starts, and has a row of the table.
+void check_count(const SweepFile& file, const SweepPlan& plan) {
+    auto runs = static_cast<double>(std::max<std::size_t>(1, plan.seeds.size()));
+    runs *= static_cast<double>(std::max<std::size_t>(1, plan.engines.size()));
+    for (const SweepPlan::Parameter& parameter : plan.parameters) runs *= static_cast<double>(parameter.values.size());
+    if (runs <= static_cast<double>(k_most_runs)) return;
+    file.fail(
+        fmt::format("every value with every other makes {} runs, and a sweep can have {}; vary less, or make "
+                    "several sweeps of it",
+                    runs, k_most_runs));
+}
+
 }  // namespace
 
 SweepPlan load_sweep(const fs::path& path) {
@@ -155,7 +186,7 @@ SweepPlan load_sweep(const fs::path& path) {
     plan.scenario = scenario_of(file);
     plan.engines = engines_of(file);
     plan.seeds = seeds_of(file);
-    plan.frames = file.root()["frames"].value_or(false);
+    plan.frames = flag_of(file, "frames", false);
     if (const toml::table* set = table_of(file, "set")) {
         for_each_setting(file, *set, "", [&plan](const std::string& key, const toml::node& value) {
             plan.set.push_back(key + "=" + toml_text(value));
@@ -170,6 +201,7 @@ SweepPlan load_sweep(const fs::path& path) {
             plan.parameters.push_back(std::move(parameter));
         });
     }
+    check_count(file, plan);
     return plan;
 }
 

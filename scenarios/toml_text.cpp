@@ -80,6 +80,15 @@ std::string toml_key(std::string_view key) {
     return bare ? std::string{key} : toml_text(key);
 }
 
+bool fits_toml(std::string_view text) {
+    try {
+        static_cast<void>(toml::parse("text = " + toml_text(text)));
+        return true;
+    } catch (const toml::parse_error&) {
+        return false;
+    }
+}
+
 std::string kind_of(const toml::node& node) {
     if (node.is_table()) return "a table";
     if (node.is_array()) return "an array";

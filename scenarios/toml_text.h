@@ -22,6 +22,9 @@ std::string toml_text(const toml::node& node);
 /// A key, in quotes where it needs them.
 std::string toml_key(std::string_view key);
 
+/// Whether the text can stand in TOML, in quotes: it cannot where it is not UTF-8.
+bool fits_toml(std::string_view text);
+
 /// "a number", "a string", ... for messages.
 std::string kind_of(const toml::node& node);
 

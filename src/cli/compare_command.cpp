@@ -9,6 +9,7 @@
 #include "render/side_by_side.h"
 #include "src/cli/commands.h"
 #include "src/cli/interrupt.h"
+#include "src/cli/messages.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/run_folder.h"
@@ -201,7 +202,8 @@ int compare_command(const CompareRequest& request) {
     watch_interrupts();
     try {
         const Comparison comparison = session.run();
-        create_run_folder(folder);
+        make_run_folder(folder);
+        clear_run_folder(folder);
         const std::string report = report_text(comparison);
         TextFile file(folder / "report.md");
         file.write(report);
@@ -212,8 +214,7 @@ int compare_command(const CompareRequest& request) {
         if (!request.quiet) fmt::print("{}\nfolder: {}\n", report, folder.string());
         return k_exit_done;
     } catch (const Stopped&) {
-        fmt::print(stderr,
-                   "interrupted: a comparison is written when all its runs are done, so there is nothing yet\n");
+        tell("interrupted: a comparison is written when all its runs are done, so there is nothing yet\n");
         return k_exit_interrupted;
     }
 }

@@ -7,13 +7,18 @@ namespace polargrain {
 namespace {
 
 std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch a lock-free flag");
+std::atomic<int> received = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "a signal handler may only touch lock-free flags");
 
 }  // namespace
 
 const std::atomic<bool>& watch_interrupts() {
     struct sigaction action = {};
-    action.sa_handler = [](int) { interrupted.store(true, std::memory_order_relaxed); };
+    action.sa_handler = [](int signal) {
+        received.store(signal, std::memory_order_relaxed);
+        interrupted.store(true, std::memory_order_relaxed);
+    };
     sigemptyset(&action.sa_mask);
     // SA_RESTART: a write to a file in progress is not cut short.
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
@@ -21,5 +26,7 @@ const std::atomic<bool>& watch_interrupts() {
     sigaction(SIGTERM, &action, nullptr);
     return interrupted;
 }
+
+int signal_for_children() { return received.load() == SIGINT ? SIGTERM : SIGINT; }
 
 }  // namespace polargrain

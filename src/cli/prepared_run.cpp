@@ -1,8 +1,19 @@
 #include "src/cli/prepared_run.h"
 
 #include "src/core/error.h"
+#include "src/observe/observer.h"
 
 namespace polargrain {
+
+namespace {
+
+/// Some observables find only when they are made that they have no meaning in the scene.
+void check_observables(const Scenario& scenario) {
+    for (const ObservableSpec& spec : scenario.output.observe) Observer(spec, scenario.scene);
+    for (const Expectation& expectation : scenario.expectations) Observer(expectation.observable, scenario.scene);
+}
+
+}  // namespace
 
 PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& overrides) {
     std::filesystem::path file = find_scenario(scenario);
@@ -11,8 +22,11 @@ PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& ov
         const EngineEntry& engine = find_engine(loaded.run.engine);
         const std::unique_ptr<Engine> asked = engine.make(loaded.scene, loaded.engines);
         TimeStep time_step = choose_time_step(loaded.run, *asked);
-        // Asked here for the sake of its own check, so that nothing is written for a run that can never end.
+        // Asked here for the sake of their own checks, so that nothing is written, nor deleted, for a run that can
+        // never begin or end.
+        asked->check_dt(time_step.dt);
         step_count(loaded.run.duration, time_step.dt);
+        check_observables(loaded);
         std::vector<std::string> notes = asked->notes();  // while the scene is still where the engine knows it
         return {std::move(file), std::move(loaded), engine, std::move(time_step), std::move(notes)};
     } catch (const InputError& error) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "src/cli/commands.h"
+#include "src/cli/messages.h"
 #include "src/cli/shell_words.h"
 #include "src/core/build_info.h"
 #include "src/core/error.h"
@@ -32,12 +34,22 @@ std::string command_line(std::span<const char* const> words) {
     return line;
 }
 
+/// What is wrong with a seed, nothing where it is one.
+std::string seed_problem(const std::string& word) {
+    std::int64_t seed = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
+    if (error == std::errc{} && end == word.data() + word.size() && seed >= 0 && seed <= k_largest_seed) return "";
+    return fmt::format("{} is no seed; give a whole number from 0 to {}", word, k_largest_seed);
+}
+
 void add_overrides(CLI::App& command, ScenarioOverrides& overrides) {
     command.add_option("--set", overrides.set, "lay a value over the file, e.g. run.duration=2 (may be repeated)")
         ->type_name("KEY.PATH=VALUE")
         ->allow_extra_args(false);
     command.add_option("--engine", overrides.engine, "engine in place of run.engine")->type_name("NAME");
-    command.add_option("--seed", overrides.seed, "random seed in place of run.seed")->type_name("N");
+    command.add_option("--seed", overrides.seed, "random seed in place of run.seed")
+        ->type_name("N")
+        ->check(seed_problem, "", "");
     command.add_option("--threads", overrides.threads, "threads in place of run.threads")
         ->type_name("N")
         ->check(CLI::PositiveNumber);
@@ -180,7 +192,7 @@ void add_verify(CLI::App& app, VerifyRequest& request, Action& action) {
         ->type_name("N")
         ->check(CLI::Range(1, 10000));
     add_overrides(*command, request.overrides);
-    command->add_flag("--force", request.force, "replace the runs that are in the folder");
+    command->add_flag("--force", request.force, "replace the runs, and verify.csv, that are in the folder");
     command->add_flag("--quiet", request.quiet, "print the tables and nothing else");
     command->footer(
         "Examples:\n"
@@ -281,8 +293,8 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
     const bool unknown_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
     const auto parsed = app.get_subcommands();
     const std::string command = parsed.empty() ? "" : " " + parsed.front()->get_name();
-    fmt::print(stderr, "polargrain{}: {}{}\nsee polargrain{} --help\n", command, error.what(),
-               unknown_words ? hint_for(app) : "", command);
+    tell("polargrain{}: {}{}\nsee polargrain{} --help\n", command, error.what(), unknown_words ? hint_for(app) : "",
+         command);
     return k_exit_wrong_input;
 }
 
@@ -290,17 +302,22 @@ int run_action(const Action& action) {
     try {
         return action();
     } catch (const InputError& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        tell("error: {}\n", error.what());
         return k_exit_wrong_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        tell("error: {}\n", error.what());
         return k_exit_failed;
     }
 }
 
-}  // namespace
+/// The exit code of what has been done, unless something that it printed could not be written.
+int after_output(int code) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    tell("error: what was printed could not all be written to the standard output\n");
+    return code == k_exit_done ? k_exit_failed : code;
+}
 
-int run_program(int argc, const char* const* argv) {
+int parse_and_run(int argc, const char* const* argv) {
     // Too large a file is then an error of the write that meets it, as on a full disk, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app{"polargrain: 2D granular flow with real grain shapes", "polargrain"};
@@ -345,8 +362,12 @@ int run_program(int argc, const char* const* argv) {
         return explain(app, error);
     }
     if (action) return run_action(action);
-    fmt::print(stderr, "{}", app.help());
+    tell("{}", app.help());
     return k_exit_wrong_input;
 }
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) { return after_output(parse_and_run(argc, argv)); }
 
 }  // namespace polargrain

@@ -6,6 +6,7 @@
 #include "src/cli/commands.h"
 #include "src/cli/engine_table.h"
 #include "src/cli/interrupt.h"
+#include "src/cli/messages.h"
 #include "src/cli/progress_display.h"
 #include "src/core/error.h"
 #include "src/reproduce/report.h"
@@ -65,8 +66,8 @@ int reproduce_command(const ReproduceRequest& request) {
         [&](const Figure& figure) { display.drawing(figure); },
         [&](const Figure& figure, const std::string& verdict) { display.drawn(figure, verdict); }};
     if (!reproduce(settings, watch_interrupts(), events)) {
-        fmt::print(stderr, "interrupted; finished simulations are kept in {}\nto go on: {}\n",
-                   (settings.folder / "runs").string(), request.command_line);
+        tell("interrupted; finished simulations are kept in {}\nto go on: {}\n", (settings.folder / "runs").string(),
+             request.command_line);
         return k_exit_interrupted;
     }
     if (!request.quiet) fmt::print("report: {}\n", Report(settings.folder).page().string());

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include "src/cli/commands.h"
+#include "src/cli/folder_lock.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_session.h"
+#include "src/cli/shell_words.h"
 #include "src/core/error.h"
 
 namespace polargrain {
@@ -13,7 +15,15 @@ namespace {
 
 /// None where the run was killed before it had written its first.
 std::optional<LabelledCheckpoint> last_checkpoint(const RunSession& session) {
-    if (!fs::exists(session.checkpoint_file())) return std::nullopt;
+    if (!fs::exists(session.checkpoint_file())) {
+        const std::string folder = session.folder.string();
+        require(!fs::exists(session.folder / "summary.json"),
+                "{}: is gone, and without it a run that has come to its end cannot be carried on; bring it back, or "
+                "run all of it again: {} run {} -o {} --force",
+                session.checkpoint_file().string(), shell_quoted(session.program),
+                shell_quoted(session.scenario_file().string()), shell_quoted(folder));
+        return std::nullopt;
+    }
     return read_checkpoint(session.checkpoint_file());
 }
 
@@ -35,6 +45,7 @@ int resume_command(const ResumeRequest& request) {
     require(fs::is_regular_file(session.scenario_file()),
             "{}: is no run folder, there is no scenario.toml in it; give a folder that polargrain run has made",
             request.folder.string());
+    const FolderLock lock(session.folder);
     const std::optional<LabelledCheckpoint> saved = last_checkpoint(session);
     ScenarioOverrides overrides;
     if (request.until) {
@@ -46,7 +57,7 @@ int resume_command(const ResumeRequest& request) {
     PreparedRun run = prepare_run(session.scenario_file().string(), overrides);
     if (!request.quiet) print_where(session, saved, run.scenario.run.duration);
     try {
-        return run_session(session, run, saved ? &*saved : nullptr);
+        return run_session(session, lock, run, saved ? &*saved : nullptr);
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {

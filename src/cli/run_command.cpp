@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "src/cli/commands.h"
+#include "src/cli/folder_lock.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_folder.h"
 #include "src/cli/run_report.h"
@@ -18,10 +19,13 @@ int run_command(const RunRequest& request) {
     warn_of_large_step(run.time_step);
     if (!request.quiet && !request.brief) print_plan(run.scenario, run.time_step, run.notes);
 
-    create_run_folder(folder);
+    make_run_folder(folder);
+    const FolderLock lock(folder);
+    check_run_folder(folder, request.force);  // another run may have begun and ended in it by now
+    clear_run_folder(folder);
     const RunSession session{folder, request.program, request.quiet, request.brief};
     try {
-        return run_session(session, run);
+        return run_session(session, lock, run);
     } catch (const InputError& error) {
         discard_run_folder(folder);
         throw InputError(SourceLocation{.file = run.file.string(), .line = 0, .column = 0}, error.what());

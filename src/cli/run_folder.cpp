@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The checkpoint first: the rest means nothing to it once something is gone.
-constexpr std::array k_run_files{"checkpoint.h5",      "checkpoint.h5.part", "scenario.toml", "scenario.toml.part",
+/// The scenario first: without it nothing is taken for a run that could be carried on while the rest goes.
+constexpr std::array k_run_files{"scenario.toml",      "scenario.toml.part", "checkpoint.h5", "checkpoint.h5.part",
                                  "summary.json",       "summary.json.part",  "series.csv",    "trajectory.h5",
                                  "trajectory.h5.part", "impacts.csv",        "sheet.png"};
 
@@ -51,12 +51,17 @@ void check_run_folder(const fs::path& folder, bool force) {
             "{}: the folder is not empty; give another with -o, or --force to replace the run in it", folder.string());
 }
 
-void create_run_folder(const fs::path& folder) {
+void make_run_folder(const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) throw RunError(fmt::format("cannot make the run folder {}: {}", folder.string(), failed.message()));
+}
+
+void clear_run_folder(const fs::path& folder) {
     try {
-        fs::create_directories(folder);
         remove_run_files(folder);
     } catch (const fs::filesystem_error& error) {
-        throw RunError(fmt::format("cannot make the run folder {}: {}", folder.string(), error.code().message()));
+        throw RunError(fmt::format("cannot empty the run folder {}: {}", folder.string(), error.code().message()));
     }
 }
 

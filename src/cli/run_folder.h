@@ -8,14 +8,17 @@ namespace polargrain {
 /// not set. Changes nothing.
 void check_run_folder(const std::filesystem::path& folder, bool force);
 
-/// Makes the folder and its parents, and removes what an earlier run left in it: only files that a run folder is made
-/// of, nothing else. RunError where that fails.
-void create_run_folder(const std::filesystem::path& folder);
+/// Makes the folder and its parents; what is in it stays. RunError where that fails.
+void make_run_folder(const std::filesystem::path& folder);
+
+/// Removes what an earlier run left in the folder: only files that a run folder is made of, nothing else. RunError
+/// where that fails. Another program that runs in the folder would lose its files: take a FolderLock first.
+void clear_run_folder(const std::filesystem::path& folder);
 
 /// Removes drawn frames and their index.csv from a folder, nothing else.
 void remove_frames(const std::filesystem::path& frames);
 
-/// Removes the files of a run from the folder, and the folder if it is empty then.
+/// Removes the files of a run from the folder, and the folder if it is empty then. Take a FolderLock first.
 void discard_run_folder(const std::filesystem::path& folder);
 
 }  // namespace polargrain

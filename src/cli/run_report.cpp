@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "src/cli/messages.h"
 #include "src/core/build_info.h"
 #include "src/observe/bed.h"
 
@@ -33,10 +34,10 @@ void print_plan(const Scenario& scenario, const TimeStep& time_step, const std::
 
 void warn_of_large_step(const TimeStep& time_step) {
     if (!time_step.too_large()) return;
-    fmt::print(stderr,
-               "warning: run.time_step = {:.4g} s is {:.3g} times the critical step ({:.4g} s): grains may pass one "
-               "another unseen\n",
-               time_step.dt, time_step.dt / time_step.suggested, time_step.suggested);
+    tell(
+        "warning: run.time_step = {:.4g} s is {:.3g} times the critical step ({:.4g} s): grains may pass one "
+        "another unseen\n",
+        time_step.dt, time_step.dt / time_step.suggested, time_step.suggested);
 }
 
 Summary summarize(const Scenario& scenario, const RunInfo& info, const RunState& state, Ending ending,

@@ -12,8 +12,8 @@
 
 #include "render/frames_sink.h"
 #include "src/cli/commands.h"
-#include "src/cli/folder_lock.h"
 #include "src/cli/interrupt.h"
+#include "src/cli/messages.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/run_report.h"
 #include "src/cli/shell_words.h"
@@ -77,10 +77,10 @@ void check_fit(const RunSession& session, const PreparedRun& run, const Labelled
             "began the run, {}",
             file, dt, run.time_step.dt, saved.label.version);
     if (saved.label.version == now.version && saved.label.build == now.build) return;
-    fmt::print(stderr,
-               "warning: the run was begun by another build ({} {}); where that computes other bits, the result is "
-               "neither its own nor this one's\n",
-               saved.label.version, saved.label.build);
+    tell(
+        "warning: the run was begun by another build ({} {}); where that computes other bits, the result is "
+        "neither its own nor this one's\n",
+        saved.label.version, saved.label.build);
 }
 
 /// One run on its way: what its stages share.
@@ -100,6 +100,7 @@ public:
     int carry_out();
 
 private:
+    void begin_folder() const;
     bool let_settle();
     std::vector<std::unique_ptr<Sink>> make_sinks() const;
     Ending simulate(Simulation& simulation);
@@ -122,6 +123,10 @@ private:
 int Session::carry_out() {
     Scenario& scenario = run_.scenario;
     const bool running = saved_ != nullptr && holds(saved_->content, k_running);
+    const std::vector<std::unique_ptr<Sink>> sinks = make_sinks();
+    // Whatever could refuse to be carried on does so before anything in the folder is changed.
+    if (running) check_sinks(sinks, scenario.scene, saved_->content.part(k_running));
+    begin_folder();
     if (running) {
         load_motion(saved_->content.part(k_start), scenario.scene.grains);
     } else if (scenario.settle && !let_settle()) {
@@ -135,7 +140,6 @@ int Session::carry_out() {
     info.title = scenario.title;
     info.source = scenario.source;
     Simulation simulation(scenario.scene, *engine, info);
-    const std::vector<std::unique_ptr<Sink>> sinks = make_sinks();
     for (const auto& sink : sinks) simulation.add(*sink);
     Measurements measurements(scenario.expectations, reading_interval(scenario.output, scenario.run.duration));
     simulation.add(measurements);
@@ -150,6 +154,13 @@ int Session::carry_out() {
     if (!session_.quiet && !session_.brief) print_summary(summary, initial_energy(scenario.scene), session_.folder);
     if (ending == Ending::completed) return k_exit_done;
     return report_interrupt(fmt::format("at t = {:.6g} of {:.6g} s", summary.simulated_seconds, info.duration));
+}
+
+/// A folder with a summary has been brought to an end: from here on this one has not.
+void Session::begin_folder() const {
+    std::error_code ignored;
+    fs::remove(session_.folder / "summary.json", ignored);
+    write_whole_file(session_.scenario_file(), run_.scenario.resolved_toml);
 }
 
 /// Replaces the scene's grains by the settled ones. False where it was stopped.
@@ -223,10 +234,10 @@ RunCost Session::cost() const {
 }
 
 int Session::report_interrupt(const std::string& where) const {
-    fmt::print(stderr,
-               "interrupted {}; a checkpoint has been written, and what was computed so far is in {}\n"
-               "to carry the run on: {}\n",
-               where, session_.folder.string(), session_.resume_line());
+    tell(
+        "interrupted {}; a checkpoint has been written, and what was computed so far is in {}\n"
+        "to carry the run on: {}\n",
+        where, session_.folder.string(), session_.resume_line());
     return k_exit_interrupted;
 }
 
@@ -252,13 +263,10 @@ double time_reached(const LabelledCheckpoint& saved) {
     return static_cast<double>(running.integers("step").at(0)) * saved.content.reals(k_time_step).at(0);
 }
 
-int run_session(const RunSession& session, PreparedRun& run, const LabelledCheckpoint* saved) {
-    const FolderLock lock(session.folder);
+int run_session(const RunSession& session, const FolderLock& /*lock*/, PreparedRun& run,
+                const LabelledCheckpoint* saved) {
     watch_interrupts();  // from the moment there is something to resume
     if (saved != nullptr) check_fit(session, run, *saved);
-    std::error_code ignored;
-    fs::remove(session.folder / "summary.json", ignored);  // a folder that has one has been brought to an end
-    write_whole_file(session.scenario_file(), run.scenario.resolved_toml);
     return Session(session, run, saved).carry_out();
 }
 

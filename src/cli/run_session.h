@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "src/cli/folder_lock.h"
 #include "src/cli/prepared_run.h"
 #include "src/record/checkpoint_file.h"
 
@@ -30,9 +31,10 @@ double time_reached(const LabelledCheckpoint& saved);
 /// Runs in the folder to the end: settling, the loop with its outputs and checkpoints, the summary. Where `saved` is
 /// not null, from that checkpoint on, with every later bit as if there had been no interruption.
 ///
-/// Returns the exit code, k_exit_interrupted after a signal; messages have been printed then. Writes scenario.toml and
-/// takes the folder for itself: InputError where another program is at work in it, or where checkpoint, scenario and
-/// files do not belong together. RunError where the run cannot go on; the last checkpoint stays.
-int run_session(const RunSession& session, PreparedRun& run, const LabelledCheckpoint* saved = nullptr);
+/// lock: on the folder. Returns the exit code, k_exit_interrupted after a signal; messages have been printed then.
+/// Writes scenario.toml. InputError where checkpoint, scenario and files do not belong together; nothing has been
+/// changed then. RunError where the run cannot go on; the last checkpoint stays.
+int run_session(const RunSession& session, const FolderLock& lock, PreparedRun& run,
+                const LabelledCheckpoint* saved = nullptr);
 
 }  // namespace polargrain

@@ -15,8 +15,10 @@
 #include "src/cli/commands.h"
 #include "src/cli/folder_lock.h"
 #include "src/cli/interrupt.h"
+#include "src/cli/messages.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/progress_display.h"
+#include "src/cli/run_folder.h"
 #include "src/cli/shell_words.h"
 #include "src/core/child_process.h"
 #include "src/core/error.h"
@@ -48,6 +50,8 @@ struct Job {
 
     fs::path log() const { return {folder.string() + ".log"}; }
     bool begun() const { return content_of(folder / "scenario.toml") == scenario; }
+    /// Whether its folder holds a run of another scenario.
+    bool of_another() const { return fs::exists(folder / "scenario.toml") && !begun(); }
     bool completed() const {
         const Json summary = Json::parse(content_of(folder / "summary.json"), nullptr, false);
         return begun() && summary.is_object() && !summary.value("interrupted", true);
@@ -115,7 +119,7 @@ public:
     /// Lets each run in progress write a checkpoint and end.
     void stop() {
         for (const Job& job : jobs_) {
-            if (job.child) job.child->interrupt();
+            if (job.child) job.child->interrupt(signal_for_children());
         }
         for (Job& job : jobs_) {
             if (job.child) job.child->wait();
@@ -192,21 +196,42 @@ std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
     return table;
 }
 
-/// Takes the folder for this sweep, or takes up the sweep that is in it.
-void open_folder(const SweepRequest& request, const fs::path& folder, const SweepPlan& plan) {
+/// InputError where the folder holds something else than this sweep, or runs of another scenario. Changes nothing.
+void check_folder(const SweepRequest& request, const fs::path& folder, const SweepPlan& plan,
+                  const std::vector<Job>& jobs) {
+    if (!fs::exists(folder)) return;
+    require(fs::is_directory(folder), "{}: is a file; give another folder with -o", folder.string());
+    if (request.force) return;
     const fs::path copy = folder / "sweep.toml";
-    const bool ours = fs::exists(copy) && content_of(copy) == plan.text;
-    if (!ours && fs::exists(folder)) {
-        require(fs::is_directory(folder), "{}: is a file; give another folder with -o", folder.string());
-        require(request.force || fs::is_empty(folder),
-                "{}: holds something else than this sweep; give another folder with -o, or --force to replace the "
-                "sweep in it",
-                folder.string());
+    require(fs::is_empty(folder) || (fs::exists(copy) && content_of(copy) == plan.text),
+            "{}: holds something else than this sweep; give another folder with -o, or --force to replace the sweep in "
+            "it",
+            folder.string());
+    for (const Job& job : jobs) {
+        require(!job.of_another(),
+                "{}: has been changed since {} was run with it; bring the old one back, give another folder with -o, "
+                "or --force to replace the runs in this one",
+                plan.scenario.string(), job.folder.string());
     }
+}
+
+void make_folder(const fs::path& folder) {
     std::error_code failed;
-    fs::create_directories(folder / "runs", failed);
+    fs::create_directories(folder, failed);
     if (failed) throw RunError(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
-    if (!ours) write_whole_file(copy, plan.text);
+}
+
+/// Takes the folder, which is locked, for this sweep, or takes up the sweep that is in it.
+void open_folder(const fs::path& folder, const SweepPlan& plan, const std::vector<Job>& jobs) {
+    // Now, and not when their turn comes: the sweep can be carried on without --force then.
+    for (const Job& job : jobs) {
+        if (!job.of_another()) continue;
+        const FolderLock lock(job.folder);
+        clear_run_folder(job.folder);
+    }
+    const fs::path copy = folder / "sweep.toml";
+    if (!fs::exists(copy) || content_of(copy) != plan.text) write_whole_file(copy, plan.text);
+    make_folder(folder / "runs");
 }
 
 int report(const std::vector<Job>& jobs, const fs::path& table, bool quiet) {
@@ -214,7 +239,7 @@ int report(const std::vector<Job>& jobs, const fs::path& table, bool quiet) {
     for (const Job& job : jobs) {
         if (!job.failed) continue;
         ++failed;
-        fmt::print(stderr, "run {} failed; what it said is in {}\n", job.name, job.log().string());
+        tell("run {} failed; what it said is in {}\n", job.name, job.log().string());
     }
     if (!quiet) fmt::print("{} runs, {} failed: {}\n", jobs.size(), failed, table.string());
     return failed == 0 ? k_exit_done : k_exit_failed;
@@ -226,17 +251,20 @@ int sweep_command(const SweepRequest& request) {
     const SweepPlan plan = load_sweep(request.file);
     const fs::path folder = request.folder.value_or(fs::path("out") / request.file.stem());
     std::vector<Job> jobs = jobs_of(plan, folder);
-    open_folder(request, folder, plan);
+    check_folder(request, folder, plan, jobs);
+    make_folder(folder);
     const FolderLock lock(folder);
+    check_folder(request, folder, plan, jobs);  // another sweep may have come into it by now
+    open_folder(folder, plan, jobs);
     Schedule schedule(jobs, plan, request.jobs);
     if (!request.quiet) {
         fmt::print("{}: {} runs of {}, {} of them done already\n", plan.title, jobs.size(), plan.scenario.string(),
                    schedule.done());
     }
     if (!run_all(schedule, static_cast<std::int64_t>(jobs.size()), request.quiet)) {
-        fmt::print(stderr, "interrupted; {} of {} runs are done\nto carry the sweep on: {} sweep {} -o {}\n",
-                   schedule.done(), jobs.size(), shell_quoted(request.program), shell_quoted(request.file.string()),
-                   shell_quoted(folder.string()));
+        tell("interrupted; {} of {} runs are done\nto carry the sweep on: {} sweep {} -o {}\n", schedule.done(),
+             jobs.size(), shell_quoted(request.program), shell_quoted(request.file.string()),
+             shell_quoted(folder.string()));
         return k_exit_interrupted;
     }
     const fs::path table = folder / "table.csv";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/cli/commands.h"
+#include "src/cli/messages.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_folder.h"
 #include "src/cli/verification.h"
@@ -93,6 +94,11 @@ int run_once(const VerifyRequest& request, const Task& task, int k, const RunPla
 int verify_command(const VerifyRequest& request) {
     const std::vector<Task> tasks = read_tasks(request);
     const RunPlace place(request.folder);
+    const fs::path table = place.path() / "verify.csv";
+    require(request.force || !fs::exists(table),
+            "{}: is there already; give another folder with -o, or --force to "
+            "replace it",
+            table.string());
     for (const Task& task : tasks) {
         for (int k = 0; k < request.seeds; ++k) check_run_folder(folder_of(place, request, task, k), request.force);
     }
@@ -108,7 +114,7 @@ int verify_command(const VerifyRequest& request) {
             std::fflush(stdout);
             const int ended = run_once(request, task, k, place);
             if (ended != k_exit_done) {
-                if (!place.kept()) fmt::print(stderr, "that folder was a temporary one; -o DIR keeps the runs\n");
+                if (!place.kept()) tell("that folder was a temporary one; -o DIR keeps the runs\n");
                 return ended;
             }
             add_run(verification, task.scenario, folder_of(place, request, task, k) / "summary.json");
@@ -119,7 +125,6 @@ int verify_command(const VerifyRequest& request) {
         verifications.push_back(std::move(verification));
     }
     if (place.kept()) {
-        const fs::path table = place.path() / "verify.csv";
         TextFile file(table);
         file.write(verification_csv(verifications));
         file.close();

@@ -71,8 +71,10 @@ int ChildProcess::wait() {
     return *exit_code_;
 }
 
-void ChildProcess::interrupt() const {
-    if (!exit_code_) kill(pid_, SIGINT);
+void ChildProcess::interrupt() const { interrupt(SIGINT); }
+
+void ChildProcess::interrupt(int signal) const {
+    if (!exit_code_) kill(pid_, signal);
 }
 
 std::optional<int> ChildProcess::collect(int options) {

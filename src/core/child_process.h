@@ -26,8 +26,9 @@ public:
     std::optional<int> poll();
     /// Waits for its end.
     int wait();
-    /// Asks it to end, as Ctrl-C would.
+    /// Asks it to end, as Ctrl-C would, or by another signal.
     void interrupt() const;
+    void interrupt(int signal) const;
 
 private:
     std::optional<int> collect(int options);

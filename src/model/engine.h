@@ -24,6 +24,9 @@ public:
     /// Largest time step [s] that the engine vouches for in this scene; infinite where nothing can move.
     virtual double suggested_dt() const = 0;
 
+    /// InputError where it could not take a single step of dt [s] in its scene, which is more than suggested_dt.
+    virtual void check_dt(double /*dt*/) const {}
+
     /// Number of parts that the engine cuts a step of dt [s] into; each costs about as much.
     virtual double parts_of_step(double /*dt*/) const { return 1.0; }
 

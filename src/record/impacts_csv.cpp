@@ -62,14 +62,13 @@ void ImpactsCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
     file_->flush();
 }
 
-void ImpactsCsv::save(Checkpoint& checkpoint) {
-    file_->sync();
-    checkpoint.put("length", std::vector{file_->length()});
-}
+void ImpactsCsv::save(Checkpoint& checkpoint) { file_->save(checkpoint); }
+
+void ImpactsCsv::check(const Scene& /*scene*/, const Checkpoint& saved) const { TextFile::check(path_, saved); }
 
 void ImpactsCsv::resume(const Scene& scene, const RunInfo& /*info*/, const Checkpoint& saved) {
     name_walls(scene);
-    file_.emplace(path_, saved.integers("length").at(0));
+    file_.emplace(path_, saved);
 }
 
 void ImpactsCsv::step(const World& /*world*/, double /*dt*/, const StepReport& report) {

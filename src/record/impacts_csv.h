@@ -24,6 +24,7 @@ public:
     double every() const override { return every_; }
     void begin(const Scene& scene, const RunInfo& info) override;
     void save(Checkpoint& checkpoint) override;
+    void check(const Scene& scene, const Checkpoint& saved) const override;
     void resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) override;
     void step(const World& world, double dt, const StepReport& report) override;
     void sample(const Sample& sample) override;

@@ -43,14 +43,15 @@ void SeriesCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
 }
 
 void SeriesCsv::save(Checkpoint& checkpoint) {
-    file_->sync();
+    file_->save(checkpoint);
     std::vector<double> sums;
     for (const WallImpulse& sum : wall_sums_) sums.insert(sums.end(), {sum.linear.x(), sum.linear.y(), sum.angular});
-    checkpoint.put("length", std::vector{file_->length()});
     checkpoint.put("wall_sums", std::move(sums));
     checkpoint.put("interval", std::vector{interval_});
     for (const Observer& observer : observers_) observer.save(checkpoint, observer.label());
 }
+
+void SeriesCsv::check(const Scene& /*scene*/, const Checkpoint& saved) const { TextFile::check(path_, saved); }
 
 void SeriesCsv::resume(const Scene& scene, const RunInfo& /*info*/, const Checkpoint& saved) {
     const auto& sums = saved.reals("wall_sums");
@@ -61,7 +62,7 @@ void SeriesCsv::resume(const Scene& scene, const RunInfo& /*info*/, const Checkp
     interval_ = saved.reals("interval").at(0);
     make_observers(scene);
     for (Observer& observer : observers_) observer.load(saved, observer.label());
-    file_.emplace(path_, saved.integers("length").at(0));
+    file_.emplace(path_, saved);
 }
 
 void SeriesCsv::step(const World& world, double dt, const StepReport& report) {

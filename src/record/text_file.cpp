@@ -4,31 +4,75 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <fstream>
 #include <system_error>
+#include <vector>
 
 #include "src/core/error.h"
 
 namespace polargrain {
 
+namespace {
+
+// Where a file's length and hash stand in its part of a checkpoint.
+constexpr const char* k_length = "length";
+constexpr const char* k_hash = "hash";
+constexpr std::size_t k_block_bytes = 65536;
+
+/// Of the first `length` bytes. InputError where there are not as many.
+TextHash hash_of(const std::filesystem::path& path, std::int64_t length) {
+    std::ifstream file(path, std::ios::binary);
+    require(file.good(), "{}: cannot be read, but the checkpoint was made with it", path.string());
+    TextHash hash;
+    std::string block(k_block_bytes, '\0');
+    for (std::int64_t left = length; left > 0;) {
+        file.read(block.data(), std::min(left, static_cast<std::int64_t>(k_block_bytes)));
+        require(file.gcount() > 0, "{}: is shorter than the {} bytes that it had when the checkpoint was made",
+                path.string(), length);
+        hash.add(std::string_view(block).substr(0, static_cast<std::size_t>(file.gcount())));
+        left -= file.gcount();
+    }
+    return hash;
+}
+
+/// Of the part that was there when the checkpoint was made, having made sure that it is the same.
+TextHash kept_content(const std::filesystem::path& path, const Checkpoint& saved) {
+    TextHash hash = hash_of(path, saved.integers(k_length).at(0));
+    // Versions that kept no hash have left checkpoints too.
+    const bool vouched = saved.all_integers().contains(k_hash);
+    require(!vouched || static_cast<std::int64_t>(hash.value()) == saved.integers(k_hash).at(0),
+            "{}: is not the file that the checkpoint was made with; it has been changed since", path.string());
+    return hash;
+}
+
+}  // namespace
+
 TextFile::TextFile(std::filesystem::path path) : path_(std::move(path)), file_(std::fopen(path_.c_str(), "w")) {
     if (!file_) fail("create");
 }
 
-TextFile::TextFile(std::filesystem::path path, std::int64_t length)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "r+")), length_(length) {
-    require(file_ != nullptr, "{}: cannot be carried on: {}; the checkpoint was made with it", path_.string(),
-            std::generic_category().message(errno));
-    const auto there = static_cast<std::int64_t>(std::filesystem::file_size(path_));
-    require(there >= length, "{}: has {} bytes, but had {} when the checkpoint was made; it has been changed since",
-            path_.string(), there, length);
-    if (ftruncate(fileno(file_.get()), length) != 0) fail("cut");
+TextFile::TextFile(std::filesystem::path path, const Checkpoint& saved)
+    : path_(std::move(path)), length_(saved.integers(k_length).at(0)), content_(kept_content(path_, saved)) {
+    file_.reset(std::fopen(path_.c_str(), "r+"));
+    if (!file_) fail("carry on");
+    if (ftruncate(fileno(file_.get()), length_) != 0) fail("cut");
     if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail("carry on");
+}
+
+void TextFile::check(const std::filesystem::path& path, const Checkpoint& saved) { kept_content(path, saved); }
+
+void TextFile::save(Checkpoint& checkpoint) {
+    sync();
+    checkpoint.put(k_length, std::vector{length_});
+    checkpoint.put(k_hash, std::vector{static_cast<std::int64_t>(content_.value())});
 }
 
 void TextFile::write(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail("write");
     length_ += static_cast<std::int64_t>(text.size());
+    content_.add(text);
 }
 
 void TextFile::flush() {

@@ -7,6 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "src/core/hash.h"
+#include "src/model/checkpoint.h"
+
 namespace polargrain {
 
 /// A text file that is written from its beginning, or carried on. Whatever goes wrong (no such folder, a full disk) is
@@ -15,16 +18,21 @@ class TextFile {
 public:
     /// Creates the file, or empties one that is there.
     explicit TextFile(std::filesystem::path path);
-    /// Carries on a file behind its first `length` bytes; what follows them is cut off. InputError where the file is
-    /// not there, or shorter.
-    TextFile(std::filesystem::path path, std::int64_t length);
+    /// Carries on a file from where it was when `save` put it into the checkpoint; what follows is cut off. InputError
+    /// as in `check`.
+    TextFile(std::filesystem::path path, const Checkpoint& saved);
+
+    /// InputError where the file is not there, or is another than when `save` put it into the checkpoint, but for what
+    /// has been written behind. Changes nothing.
+    static void check(const std::filesystem::path& path, const Checkpoint& saved);
 
     void write(std::string_view text);
     /// Hands everything written so far to the operating system: a killed program loses nothing of it.
     void flush();
     /// Flushes, and waits until it is on the disk: a machine that loses its power loses nothing of it.
     void sync();
-    std::int64_t length() const { return length_; }  ///< [byte] so far
+    /// Syncs, and puts the length of the file and the hash of its content.
+    void save(Checkpoint& checkpoint);
     /// Flushes and closes; errors that the system reports late surface here.
     void close();
 
@@ -36,7 +44,8 @@ private:
     };
     std::filesystem::path path_;
     std::unique_ptr<std::FILE, Closer> file_;
-    std::int64_t length_ = 0;
+    std::int64_t length_ = 0;  // [byte] so far
+    TextHash content_;
 };
 
 /// Writes a file as a whole: beside its place first, and renamed when it is on the disk, so that at any instant it is

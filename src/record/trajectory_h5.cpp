@@ -243,6 +243,19 @@ void TrajectoryH5::save(Checkpoint& checkpoint) {
     naming_the_file(path_, [&] { file_->save(checkpoint); });
 }
 
+void TrajectoryH5::check(const Scene& scene, const Checkpoint& saved) const {
+    const auto moving = std::ranges::count_if(scene.walls, [](const Wall& wall) { return wall.moves(); });
+    PlacedFrames frames(path_, saved, scene.grains.x.size(), static_cast<std::size_t>(moving));
+    StateHash hash;
+    for (std::int64_t f = 0; f < frames.frames(); ++f) frames.next().add_to(hash);
+    require_same(hash.value(), saved);
+}
+
+void TrajectoryH5::require_same(std::uint64_t hash, const Checkpoint& saved) const {
+    require(static_cast<std::int64_t>(hash) == saved.integers("hash").at(0),
+            "{}: is not the file that the checkpoint was made with; it has been changed since", path_.string());
+}
+
 void TrajectoryH5::resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) {
     std::filesystem::path part = path_;
     part += ".part";
@@ -251,8 +264,7 @@ void TrajectoryH5::resume(const Scene& scene, const RunInfo& info, const Checkpo
         PlacedFrames frames(path_, saved, scene.grains.x.size(), file_->moving_walls());
         for (std::int64_t f = 0; f < frames.frames(); ++f) file_->append(frames.next());
     });
-    require(static_cast<std::int64_t>(file_->hash()) == saved.integers("hash").at(0),
-            "{}: is not the file that the checkpoint was made with; it has been changed since", path_.string());
+    require_same(file_->hash(), saved);
     put_in_place(part, path_);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -24,12 +25,15 @@ public:
     double every() const override { return every_; }
     void begin(const Scene& scene, const RunInfo& info) override;
     void save(Checkpoint& checkpoint) override;
+    void check(const Scene& scene, const Checkpoint& saved) const override;
     void resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) override;
     void sample(const Sample& sample) override;
     void end() override;
 
 private:
     class File;
+    void require_same(std::uint64_t hash, const Checkpoint& saved) const;
+
     std::filesystem::path path_;
     double every_;
     Provenance provenance_;

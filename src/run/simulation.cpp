@@ -39,6 +39,10 @@ void add(Totals& totals, const StepReport& report) {
     totals.deepest = std::max(totals.deepest, report.deepest);
 }
 
+void check_sinks(std::span<const std::unique_ptr<Sink>> sinks, const Scene& scene, const Checkpoint& saved) {
+    for (std::size_t k = 0; k < sinks.size(); ++k) sinks[k]->check(scene, saved.part(sink_key(k)));
+}
+
 Simulation::Simulation(const Scene& scene, Engine& engine, RunInfo info)
     : scene_(scene), engine_(engine), info_(std::move(info)) {
     state_.world = initial_world(scene);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "src/model/engine.h"
@@ -24,6 +26,10 @@ RunInfo describe_run(const Scene& scene, const Engine& engine, double dt, double
 
 /// Adds what one step reported to the sums since time zero.
 void add(Totals& totals, const StepReport& report);
+
+/// Whether a simulation with these sinks, as far as they go, can be resumed: what they throw in Sink::check passes
+/// through. saved: as Simulation::resume takes it.
+void check_sinks(std::span<const std::unique_ptr<Sink>> sinks, const Scene& scene, const Checkpoint& saved);
 
 /// The loop and the clock: takes steps of one size from time zero and hands samples to sinks when they are due.
 ///

@@ -32,6 +32,10 @@ public:
     /// handed over before is on the disk when this returns.
     virtual void save(Checkpoint& /*checkpoint*/) {}
 
+    /// Whether resume can take up what save has put there: InputError where what is on the disk is not what the
+    /// checkpoint was made of. Changes nothing.
+    virtual void check(const Scene& /*scene*/, const Checkpoint& /*saved*/) const {}
+
     /// In place of begin where a run goes on from a checkpoint: takes up what save has put there, and cuts off what
     /// was written after it. Until the first call of save that follows, the same checkpoint can be gone back to again.
     /// scene: as at time zero. InputError where what is on the disk is not what the checkpoint was made of.

@@ -47,6 +47,7 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const 
 
     process_ = fork();
     if (process_ < 0) throw std::runtime_error("cannot start " + program);
+    setpgid(process_, process_);  // by both, as either may come first
     if (process_ > 0) return;
     constexpr int k_no_program = 127;
     const int flags = O_WRONLY | O_CREAT | O_TRUNC;
@@ -60,6 +61,8 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const 
 }
 
 void RunningProgram::send(int signal) const { kill(process_, signal); }
+
+void RunningProgram::send_to_all(int signal) const { kill(-process_, signal); }
 
 Outcome RunningProgram::wait() {
     int status = 0;

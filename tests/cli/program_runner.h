@@ -33,13 +33,15 @@ struct Outcome {
     std::string out, err;
 };
 
-/// The built program, started in a folder of its own, without a terminal.
+/// The built program, started in a folder and a process group of its own, without a terminal.
 class RunningProgram {
 public:
     /// largest_file: bytes beyond which none of its files can grow, as on a full disk.
     RunningProgram(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                    std::optional<rlim_t> largest_file = std::nullopt);
     void send(int signal) const;
+    /// To all that it has started too, as Ctrl-C in a terminal does.
+    void send_to_all(int signal) const;
     /// Waits for its end; may be called once.
     Outcome wait();
 

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <cstdlib>
 #include <ostream>
 
 #include "tests/cli/program_runner.h"
@@ -54,6 +56,7 @@ TEST(CommandLine, MistakesEndWithTwoAndAHint) {
         {{"run"}, "SCENARIO"},
         {{"list", "planets"}, "planets"},
         {{"run", "fig9", "--seed", "many"}, "seed"},
+        {{"run", "fig9", "--seed", "-1"}, "--seed: -1 is no seed; give a whole number from 0 to 9007199254740992"},
         {{"run", "fig9", "--threads", "0"}, "threads"},
         {{"run", "domino-opalen"}, "domino-opalene"},
         {{"run", "fig9", "--engine", "contact-1995"}, "contact-1994"},
@@ -68,6 +71,21 @@ TEST(CommandLine, MistakesEndWithTwoAndAHint) {
         EXPECT_EQ(outcome.exit_code, 2) << says << "\n" << outcome.out;
         EXPECT_THAT(outcome.err, HasSubstr(says));
     }
+}
+
+TEST(CommandLine, OutputThatIsLostFailsAndAnErrorThatNobodyCanReadIsStillThatError) {
+    const ScratchFolder scratch;
+    const auto exit_code = [&](const std::string& rest) {
+        const int status =
+            std::system(("cd " + scratch.path().string() + " && " POLARGRAIN_BINARY_DIR "/polargrain " + rest).c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    };
+    for (const char* command : {"check fig9", "list", "--help", "--version", "shape gear"}) {
+        EXPECT_EQ(exit_code(std::string(command) + " >/dev/full 2>/dev/null"), 1) << command;
+    }
+    EXPECT_EQ(exit_code("check nosuch 2>/dev/full"), 2);
+    EXPECT_EQ(exit_code("list --nosuch 2>/dev/full"), 2);
+    EXPECT_EQ(exit_code("check nosuch >/dev/full 2>/dev/full"), 2);
 }
 
 TEST(CommandLine, ListsWhatIsThere) {
@@ -129,6 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
                     changed("unknown_key", "density", "densty", "density"),
                     changed("unknown_table", "[run]", "[runn]", "run"),
                     changed("wrong_type", "duration = 0.05", "duration = \"long\"", "duration"),
+                    changed("too_often", "series = { every = 0.01 }", "series = { every = 1e-12 }", "every"),
                     changed("negative", "radius = 0.01", "radius = -0.01", "radius"),
                     changed("not_a_number", "density = 2000.0", "density = nan", "density"),
                     changed("restitution_above_one", "mean = 0.5", "mean = 1.5", "mean"),

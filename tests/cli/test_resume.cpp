@@ -258,6 +258,49 @@ TEST_F(Resume, RefusesAScenarioOrFilesThatWereChangedMeanwhile) {
     EXPECT_THAT(shorter.err, HasSubstr("series.csv"));
 }
 
+TEST_F(Resume, ThatIsRefusedChangesNothing) {
+    scratch_.write("everything.toml", k_everything);
+    // The last row and frame stand behind the checkpoint: they must not be cut off either.
+    ASSERT_EQ(polargrain({"run", "everything.toml", "-o", "run", "--set", "run.duration=0.00734"}).exit_code, 0);
+    const auto whole = folder("run");
+    const auto refused_with = [&](const std::string& name, const std::string& content) {
+        scratch_.write("run/" + name, content);
+        const auto before = folder("run");
+        const Outcome refused = polargrain({"resume", "run", "--until", "0.012"});
+        EXPECT_EQ(refused.exit_code, 2) << name << ": " << refused.out << refused.err;
+        EXPECT_THAT(refused.err, HasSubstr(name));
+        EXPECT_TRUE(folder("run") == before) << name;
+        scratch_.write("run/" + name, whole.at(name));
+    };
+    for (const char* name : {"series.csv", "impacts.csv", "frames/index.csv"}) {
+        refused_with(name, "x\n");
+        refused_with(name, "x" + whole.at(name).substr(1));
+        std::string with_returns = whole.at(name);
+        for (std::size_t at = 0; (at = with_returns.find('\n', at)) != std::string::npos; at += 2) {
+            with_returns.insert(at, "\r");
+        }
+        refused_with(name, with_returns);
+    }
+    const std::string& trajectory = whole.at("trajectory.h5");
+    refused_with("trajectory.h5", trajectory.substr(0, trajectory.size() / 2));
+    const Outcome resumed = polargrain({"resume", "run", "--until", "0.012"});
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+}
+
+TEST_F(Resume, DoesNotBeginAFinishedRunAnewWhereItsCheckpointIsGone) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(polargrain({"run", "three.toml", "-o", "run"}).exit_code, 0);
+    fs::remove(scratch_ / "run" / "checkpoint.h5");
+    const auto before = folder("run");
+    const Outcome refused = polargrain({"resume", "run", "--until", "0.1"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("run/checkpoint.h5"));
+    EXPECT_THAT(refused.err, HasSubstr("polargrain run run/scenario.toml -o run --force"));
+    EXPECT_TRUE(folder("run") == before);
+    EXPECT_EQ(polargrain({"run", "run/scenario.toml", "-o", "run", "--force"}).exit_code, 0) << "as it says";
+    expect_equal_files(scratch_ / "run", before);
+}
+
 TEST_F(Resume, LeavesARunInProgressAlone) {
     scratch_.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e6"));
     RunningProgram program({"run", "long.toml", "-o", "long"}, scratch_.path());

@@ -100,6 +100,62 @@ TEST_F(Run, RefusesAFileInPlaceOfTheFolder) {
     EXPECT_EQ(read_file(scratch_ / "three.toml"), k_three_disks);
 }
 
+TEST_F(Run, LosesNothingToASecondRunInItsFolder) {
+    scratch_.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e6"));
+    RunningProgram first({"run", "long.toml", "-o", "long"}, scratch_.path());
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!fs::exists(scratch_ / "long" / "checkpoint.h5") && std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    const Outcome second = run({"long.toml", "-o", "long", "--force"});
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_THAT(second.err, HasSubstr("another polargrain is running"));
+    for (const char* file : {"scenario.toml", "checkpoint.h5", "series.csv", "trajectory.h5"}) {
+        EXPECT_TRUE(fs::exists(scratch_ / "long" / file)) << file;
+    }
+    first.send(SIGINT);
+    EXPECT_EQ(first.wait().exit_code, 130);
+    EXPECT_EQ(summary_of(scratch_ / "long").at("interrupted"), true);
+}
+
+TEST_F(Run, KeepsTheOldRunWhereTheNewOneCannotBegin) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
+    const std::string before = read_file(scratch_ / "here" / "summary.json");
+    const struct {
+        std::vector<std::string> arguments;
+        const char* says;
+    } cases[] = {{{"three.toml", "--engine", "box2d", "--set", "run.time_step=0.02"}, "Box2D cuts off"},
+                 {{"three.toml", "--set", "run.gravity=0", "--set",
+                   "output.observe=[{quantity=\"bridge_life\",opening=[[-0.1,0],[0.1,0]]}]"},
+                  "gravity"}};
+    for (const auto& [arguments, says] : cases) {
+        std::vector<std::string> forced = arguments;
+        forced.insert(forced.end(), {"-o", "here", "--force"});
+        const Outcome refused = run(forced);
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_THAT(refused.err, HasSubstr(says));
+        EXPECT_EQ(read_file(scratch_ / "here" / "summary.json"), before);
+        std::vector<std::string> checked = arguments;
+        checked.insert(checked.begin(), "check");
+        EXPECT_EQ(run_polargrain(checked, scratch_.path()).exit_code, 2);
+    }
+}
+
+TEST_F(Run, ANameThatIsNotUtf8IsRefusedInReadingUnlessThereIsATitle) {
+    const std::string untitled = replaced(k_three_disks, "title = \"Three disks\"\n", "");
+    scratch_.write("\xff.toml", untitled);
+    for (const char* command : {"check", "run"}) {
+        const Outcome refused = run_polargrain({command, "\xff.toml"}, scratch_.path());
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_THAT(refused.err, HasSubstr("UTF-8"));
+        EXPECT_FALSE(fs::exists(scratch_ / "out"));
+    }
+    EXPECT_EQ(run({"\xff.toml", "-o", "bad", "--set", "title=\xff"}).exit_code, 2);
+    ASSERT_EQ(run({"\xff.toml", "-o", "good", "--set", "title=Disks"}).exit_code, 0);
+    EXPECT_EQ(run_polargrain({"resume", "good"}, scratch_.path()).exit_code, 0);
+}
+
 TEST_F(Run, QuietPrintsNothing) {
     scratch_.write("three.toml", k_three_disks);
     const Outcome outcome = run({"three.toml", "--quiet"});

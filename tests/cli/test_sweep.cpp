@@ -90,6 +90,62 @@ TEST_F(Sweep, GoesOnAfterAKill) {
     }
 }
 
+TEST_F(Sweep, ASignalToAllItsProgramsLetsEachRunWriteACheckpoint) {
+    scratch_.write("long.toml", replaced(k_sweep, "run.duration = 0.02", "run.duration = 1e5"));
+    for (const int signal : {SIGINT, SIGTERM}) {
+        RunningProgram program({"sweep", "long.toml", "-o", "cut", "--jobs", "2"}, scratch_.path());
+        const fs::path runs = scratch_ / "cut" / "runs";
+        const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (!(fs::exists(runs / "0000" / "checkpoint.h5") && fs::exists(runs / "0001" / "checkpoint.h5")) &&
+               std::chrono::steady_clock::now() < give_up) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        program.send_to_all(signal);
+        EXPECT_EQ(program.wait().exit_code, 130);
+        for (const char* run : {"0000", "0001"}) {
+            const auto summary = nlohmann::json::parse(read_file(runs / run / "summary.json"), nullptr, false);
+            ASSERT_TRUE(summary.is_object()) << run << " was ended without a summary, nor a checkpoint";
+            EXPECT_EQ(summary.at("interrupted"), true);
+        }
+        fs::remove_all(scratch_ / "cut");
+    }
+}
+
+TEST_F(Sweep, RefusesToReplaceRunsOfAScenarioThatHasBeenChangedSince) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    const std::string table = read_file(scratch_ / "swept" / "table.csv");
+    const std::string summary = read_file(scratch_ / "swept" / "runs" / "0000" / "summary.json");
+    scratch_.write("three.toml", replaced(k_three_disks, "density = 2000.0", "density = 2500.0"));
+    const Outcome refused = polargrain({"sweep", "sweep.toml", "-o", "swept"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("three.toml: has been changed"), HasSubstr("--force")));
+    EXPECT_EQ(read_file(scratch_ / "swept" / "table.csv"), table);
+    EXPECT_EQ(read_file(scratch_ / "swept" / "runs" / "0000" / "summary.json"), summary);
+    EXPECT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept", "--force"}).exit_code, 0);
+    EXPECT_NE(read_file(scratch_ / "swept" / "table.csv"), table);
+}
+
+TEST_F(Sweep, ThatReplacesAnotherGoesOnWithoutForceAfterCtrlC) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    scratch_.write("three.toml", replaced(k_three_disks, "density = 2000.0", "density = 2500.0"));
+    scratch_.write("slow.toml", replaced(k_sweep, "run.duration = 0.02", "run.duration = 1e5"));
+    RunningProgram program({"sweep", "slow.toml", "-o", "swept", "--force"}, scratch_.path());
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const fs::path first = scratch_ / "swept" / "runs" / "0000";
+    while ((!fs::exists(first / "checkpoint.h5") || fs::exists(first / "summary.json")) &&
+           std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    program.send_to_all(SIGINT);
+    EXPECT_EQ(program.wait().exit_code, 130);
+    RunningProgram again({"sweep", "slow.toml", "-o", "swept"}, scratch_.path());
+    while (fs::exists(first / "summary.json") && std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    again.send_to_all(SIGINT);
+    EXPECT_EQ(again.wait().exit_code, 130) << "is not refused";
+}
+
 TEST_F(Sweep, LeavesCompleteRunsAlone) {
     ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
     const auto written = fs::last_write_time(scratch_ / "swept" / "runs" / "0003" / "summary.json");
@@ -120,7 +176,17 @@ TEST_F(Sweep, SaysWhatIsWrongInItsFile) {
     EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[vary]\nrun.duratoin = [1]\n"), HasSubstr("duration"));
     EXPECT_THAT(refusal_of("scenario = \"four.toml\"\n"), HasSubstr("wrong.toml:1:12: scenario: four.toml"));
     EXPECT_THAT(refusal_of("scenario = \n"), HasSubstr("not valid TOML"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nframes = \"true\"\n"),
+                HasSubstr("wrong.toml:2:10: frames: is a string, must be true or false"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nseeds = 10000000000\n"),
+                HasSubstr("wrong.toml:2:9: seeds: 10000000000 are more than the 100000 runs"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nseeds = 100000\nengines = [\"contact\", \"dem\"]\n"),
+                HasSubstr("makes 200000 runs"));
     EXPECT_EQ(polargrain({"sweep", "none.toml"}).exit_code, 2);
+    fs::create_directories(scratch_ / "folder");
+    const Outcome folder = polargrain({"sweep", "folder"});
+    EXPECT_EQ(folder.exit_code, 2);
+    EXPECT_THAT(folder.err, HasSubstr("is a folder"));
 }
 
 }  // namespace

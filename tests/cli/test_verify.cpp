@@ -68,6 +68,19 @@ TEST_F(Verify, KeepsRunsOfSeveralSeedsAndTheirTable) {
     EXPECT_THAT(again.err, HasSubstr("--force"));
 }
 
+TEST_F(Verify, DoesNotReplaceATableUnasked) {
+    scratch_.write("three.toml", with_band("min = 9.9"));
+    scratch_.write("four.toml", with_band("min = 9.8"));
+    ASSERT_EQ(verify({"three.toml", "-o", "kept"}).exit_code, 0);
+    const std::string table = read_file(scratch_ / "kept" / "verify.csv");
+    const Outcome refused = verify({"four.toml", "-o", "kept"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("kept/verify.csv"), HasSubstr("--force")));
+    EXPECT_EQ(read_file(scratch_ / "kept" / "verify.csv"), table);
+    EXPECT_FALSE(fs::exists(scratch_ / "kept" / "four")) << "before anything runs";
+    EXPECT_EQ(verify({"four.toml", "-o", "kept", "--force"}).exit_code, 0);
+}
+
 TEST_F(Verify, AScenarioThatExpectsNothingIsWrongInput) {
     scratch_.write("three.toml", k_three_disks);
     const Outcome outcome = verify({"three.toml"});

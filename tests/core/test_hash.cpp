@@ -37,5 +37,15 @@ TEST(StateHash, PrintsSixteenHexadecimalDigits) {
     EXPECT_EQ(StateHash().hex(), "0000000000000000") << "leading zeros stay";
 }
 
+TEST(TextHash, IsTheSameIntoWhateverPiecesTheTextIsCut) {
+    const std::string text(1000, 'x');
+    TextHash whole, cut;
+    whole.add(text);
+    for (std::size_t at = 0; at < text.size(); at += 7) cut.add(std::string_view(text).substr(at, 7));
+    EXPECT_EQ(whole.value(), cut.value());
+    cut.add("y");
+    EXPECT_NE(whole.value(), cut.value());
+}
+
 }  // namespace
 }  // namespace polargrain

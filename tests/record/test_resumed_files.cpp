@@ -80,7 +80,10 @@ TEST_P(ResumedFile, IsRefusedWhereItIsShorterThanTheCheckpointSays) {
     feed(*sink, scene, 0, 100);
     Checkpoint saved;
     sink->save(saved);
+    EXPECT_NO_THROW(GetParam().make(folder / "file")->check(scene, saved));
     fs::resize_file(folder / "file", fs::file_size(folder / "file") / 2);
+    EXPECT_THROW(GetParam().make(folder / "file")->check(scene, saved), InputError);
+    EXPECT_FALSE(fs::exists(folder / "file.part"));
     EXPECT_THROW(GetParam().make(folder / "file")->resume(scene, run_info(), saved), InputError);
     fs::remove(folder / "file");
     EXPECT_THROW(GetParam().make(folder / "file")->resume(scene, run_info(), saved), InputError);

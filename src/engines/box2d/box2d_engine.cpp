@@ -54,6 +54,16 @@ public:
         return std::min(critical_time_step(scene_), k_longest_way * setup_.unit / largest_speed(scene_));
     }
 
+    void check_dt(double dt) const override {
+        const double speed = largest_speed(scene_);
+        const double way = speed * dt / setup_.unit;
+        if (way < static_cast<double>(b2_maxTranslation)) return;
+        throw InputError(fmt::format(
+            "box2d: at up to {:.3g} m/s a grain moves {:.3g} of Box2D's units of {:.4g} m in a step of {:.4g} s, and "
+            "Box2D cuts off at {}; use run.time_step = {:.2g} or less",
+            speed, way, setup_.unit, dt, b2_maxTranslation, k_longest_way * setup_.unit / speed));
+    }
+
     void step(World& world, double dt, StepReport& report) override {
         report.clear(scene_.walls.size());
         if (loaded_) restore(world, dt);
@@ -74,7 +84,7 @@ private:
     }
 
     void build(const World& world, double dt) {
-        check_speed(dt);
+        check_dt(dt);
         if (setup_.pieces.empty()) cut_into_pieces();
         built_with_ = box_ ? box_->warm_starts() : std::move(impulses_);
         impulses_.clear();
@@ -118,16 +128,6 @@ private:
             box_.reset();
         }
         impulses_ = memory.now;
-    }
-
-    void check_speed(double dt) const {
-        const double speed = largest_speed(scene_);
-        const double way = speed * dt / setup_.unit;
-        if (way < static_cast<double>(b2_maxTranslation)) return;
-        throw InputError(fmt::format(
-            "box2d: at up to {:.3g} m/s a grain moves {:.3g} of Box2D's units of {:.4g} m in a step of {:.4g} s, and "
-            "Box2D cuts off at {}; use run.time_step = {:.2g} or less",
-            speed, way, setup_.unit, dt, b2_maxTranslation, k_longest_way * setup_.unit / speed));
     }
 
     void cut_into_pieces() {

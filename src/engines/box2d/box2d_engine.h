@@ -11,8 +11,8 @@ namespace polargrain {
 ///
 /// Non-convex outlines are cut into convex pieces, lengths measured in units of a fraction of a grain, masses, moments
 /// of inertia and pair laws are ours. docs/box2d.md says what Box2D does otherwise than the scene asks; `notes` too.
-/// Throws InputError at the first step of a size at which Box2D would cut off speeds, RunError where that happens
-/// later. The scene must outlive the engine.
+/// Steps of a size at which Box2D would cut off speeds at once are refused, by check_dt and by the first of them;
+/// RunError where that happens later. The scene must outlive the engine.
 std::unique_ptr<Engine> make_box2d(const Scene& scene, const Box2dSettings& settings);
 
 /// The same with default settings.
