@@ -7,8 +7,6 @@ find_package(CGAL REQUIRED)
 set(HDF5_PREFER_PARALLEL FALSE)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(TBB REQUIRED)
-# Comes with the compiler; without it the engine dem runs in one thread.
-find_package(OpenMP COMPONENTS CXX)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(box2d REQUIRED)

@@ -42,7 +42,7 @@ struct MoveCount {
 
 /// What an engine tells about one step. The engine clears it first.
 struct StepReport {
-    std::vector<Contact> contacts;             ///< touching pairs at the end of the step, sorted by (a, b)
+    std::vector<Contact> contacts;             ///< that have pushed in the step or touch at its end, sorted by (a, b)
     std::vector<ImpactRecord> impact_records;  ///< filled only while record_impacts is set, in the order of processing
     std::vector<WallImpulse> walls;            ///< one entry per wall
     EnergyLedger ledger;

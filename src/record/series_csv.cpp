@@ -16,6 +16,9 @@ constexpr const char* k_columns =
     "contacts,impacts,moves_rejected,moves_shortened,centre_of_mass_x,centre_of_mass_y,grains_in,grains_out,"
     "energy_correction,energy_created,energy_rises,moves_tried,energy_stored";
 
+/// Where the memory of an observer stands in a checkpoint: apart from our own, whatever its label.
+std::string memory_of(const Observer& observer) { return "observed/" + observer.label(); }
+
 }  // namespace
 
 SeriesCsv::SeriesCsv(std::filesystem::path path, double every, std::vector<ObservableSpec> observe)
@@ -48,7 +51,7 @@ void SeriesCsv::save(Checkpoint& checkpoint) {
     for (const WallImpulse& sum : wall_sums_) sums.insert(sums.end(), {sum.linear.x(), sum.linear.y(), sum.angular});
     checkpoint.put("wall_sums", std::move(sums));
     checkpoint.put("interval", std::vector{interval_});
-    for (const Observer& observer : observers_) observer.save(checkpoint, observer.label());
+    for (const Observer& observer : observers_) observer.save(checkpoint, memory_of(observer));
 }
 
 void SeriesCsv::check(const Scene& /*scene*/, const Checkpoint& saved) const { TextFile::check(path_, saved); }
@@ -61,7 +64,7 @@ void SeriesCsv::resume(const Scene& scene, const RunInfo& /*info*/, const Checkp
     }
     interval_ = saved.reals("interval").at(0);
     make_observers(scene);
-    for (Observer& observer : observers_) observer.load(saved, observer.label());
+    for (Observer& observer : observers_) observer.load(saved, memory_of(observer));
     file_.emplace(path_, saved);
 }
 

@@ -17,6 +17,9 @@ bool is_standard(const Expectation& expectation) {
            expectation.statistic == Statistic::last;
 }
 
+/// Where the memory of a measurement stands in a checkpoint: apart from our own, whatever its label.
+std::string memory_of(const std::string& label) { return "measured/" + label; }
+
 }  // namespace
 
 std::vector<std::string> expectation_labels(const std::vector<Expectation>& expectations) {
@@ -59,17 +62,19 @@ void Measurements::begin(const Scene& scene, const RunInfo& /*info*/) {
 }
 
 void Measurements::save(Checkpoint& checkpoint) {
+    checkpoint.put("every", std::vector{every_});
     for (const Measured& m : measured_) {
-        checkpoint.put(m.label + "/reduction", m.reduction.state());
-        m.observer.save(checkpoint, m.label);
+        checkpoint.put(memory_of(m.label) + "/reduction", m.reduction.state());
+        m.observer.save(checkpoint, memory_of(m.label));
     }
 }
 
 void Measurements::resume(const Scene& scene, const RunInfo& info, const Checkpoint& saved) {
     begin(scene, info);
+    every_ = saved.reals("every").at(0);  // a run that goes on for longer is read as before
     for (Measured& m : measured_) {
-        m.reduction.set_state(saved.reals(m.label + "/reduction"));
-        m.observer.load(saved, m.label);
+        m.reduction.set_state(saved.reals(memory_of(m.label) + "/reduction"));
+        m.observer.load(saved, memory_of(m.label));
     }
 }
 

@@ -20,7 +20,11 @@ bool before(const SoftContact& c, BodyIndex a, BodyIndex b) { return c.a != a ? 
 }  // namespace
 
 SoftSystem::SoftSystem(const Scene& scene, const DemSettings& settings)
-    : scene_(scene), laws_(scene, settings), walls_(scene), candidates_(scene, settings) {
+    : scene_(scene),
+      laws_(scene, settings),
+      walls_(scene),
+      candidates_(scene, settings),
+      parallel_(std::max(1, scene.threads)) {
     shares_.assign(static_cast<std::size_t>(std::max(1, scene.threads)),
                    Share{TouchFinder(settings), {}, {}, {}, {}, {}, 0, 0});
     adopt(own_numbers(scene.grains.size()));
@@ -50,7 +54,7 @@ void SoftSystem::find_contacts(std::span<const double> x, std::span<const double
     if (used == 1) {
         find_alone(x, v, forces);
     } else {
-        find_together(static_cast<int>(used), x, v, forces);
+        find_together(used, x, v, forces);
     }
     next_.swap(shares_[0].found);
     next_missed_.swap(shares_[0].missed);
@@ -78,18 +82,15 @@ void SoftSystem::find_alone(std::span<const double> x, std::span<const double> v
 }
 
 // Each thread takes a run of the sorted pairs, the first the walls besides; one after the other their finds are sorted.
-void SoftSystem::find_together(int threads, std::span<const double> x, std::span<const double> v,
+void SoftSystem::find_together(std::size_t used, std::span<const double> x, std::span<const double> v,
                                std::span<double> forces) {
     const std::span<const GrainPair> pairs = candidates_.pairs();
-    const auto used = static_cast<std::size_t>(threads);
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (int t = 0; t < threads; ++t) {
-        const auto number = static_cast<std::size_t>(t);
+    parallel_.each(used, [&](std::size_t number) {
         const std::size_t first = pairs.size() * number / used;
         const std::size_t last = pairs.size() * (number + 1) / used;
-        if (t == 0) meet_walls(shares_[0], x, v);
+        if (number == 0) meet_walls(shares_[0], x, v);
         meet_grains(shares_[number], pairs.subspan(first, last - first), x, v);
-    }
+    });
     Share& all = shares_[0];
     for (std::size_t t = 1; t < used; ++t) {
         for (Miss& miss : shares_[t].missed) {

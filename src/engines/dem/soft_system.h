@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "src/core/parallel.h"
 #include "src/engines/dem/candidates.h"
 #include "src/engines/dem/contact_geometry.h"
 #include "src/engines/dem/numbering.h"
@@ -131,8 +132,9 @@ private:
     void find_contacts(std::span<const double> x, std::span<const double> v, std::span<double> forces);
     /// One thread alone finds all.
     void find_alone(std::span<const double> x, std::span<const double> v, std::span<double> forces);
-    /// Several threads find their shares.
-    void find_together(int threads, std::span<const double> x, std::span<const double> v, std::span<double> forces);
+    /// `used` shares are found by several threads.
+    void find_together(std::size_t used, std::span<const double> x, std::span<const double> v,
+                       std::span<double> forces);
     void meet_walls(Share& share, std::span<const double> x, std::span<const double> v);
     void meet_grains(Share& share, std::span<const GrainPair> pairs, std::span<const double> x,
                      std::span<const double> v);
@@ -186,6 +188,7 @@ private:
     SoftLaws laws_;
     SoftWalls walls_;
     Candidates candidates_;
+    Parallel parallel_;
     std::vector<Share> shares_;  ///< one for each thread
     Numbering numbers_;
     std::vector<Body> bodies_;
