@@ -114,6 +114,30 @@ TEST(FlatFaces, OfLittleRestitutionDoNotThrowBackWhatFallsOnThemAtTheDefaultReso
     }
 }
 
+/// In free flight contacts begin at the end of a step, to the last bit, and anywhere else.
+TEST(FlatFaces, OfLittleRestitutionPartSlowlyWhereverInAStepTheyMeet) {
+    for (const double width : {0.02, 0.04}) {
+        for (const double e : {0.0, 0.02, 0.05}) {
+            for (int k = 0; k < 10; ++k) {
+                Scene scene = testing::empty_scene(e, 0.0, 0.0);
+                testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}});
+                const ShapeIndex body = testing::add_rectangle(scene, width, 0.02);
+                const double gap = 0.003 + 1.3e-6 * k;
+                scene.add(Grain{body, 0, {0.0, 0.01 + gap}, 0.0, {0.0, -1.0}});
+                scene.add(Grain{body, 0, {0.0, 0.5}});
+                scene.add(Grain{body, 0, {0.0, 0.52 + gap}, 0.0, {0.0, -1.0}});
+                const auto engine = testing::make_default_dem(scene);
+                World world = initial_world(scene);
+                StepReport report;
+                for (int step = 0; step < 30; ++step) engine->step(world, 1e-3, report);
+                EXPECT_LT(world.grains.vy[0], e + 0.03) << width << " " << e << " " << k;
+                EXPECT_LT(world.grains.vy[2] - world.grains.vy[1], e + 0.03) << width << " " << e << " " << k;
+                for (const double spin : world.grains.spin) EXPECT_LT(std::abs(spin), 0.3);
+            }
+        }
+    }
+}
+
 TEST(TargetOverlap, IsReachedByTheFastestImpact) {
     Scene scene = testing::empty_scene(1.0, 0.0);
     testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}});
