@@ -143,7 +143,7 @@ struct Foot {
     int edge;
     double share;  ///< of the edge's length at which the centre stands, unbounded: 0 at its first corner, 1 at the next
     Vec2 point;
-    double distance;
+    double squared_distance;
 };
 
 Foot foot_on(const PolarPolygon& outline, int edge, const Vec2& centre) {
@@ -151,24 +151,15 @@ Foot foot_on(const PolarPolygon& outline, int edge, const Vec2& centre) {
     const Vec2 along = outline.vertex(outline.next(edge)) - p;
     const double share = (centre - p).dot(along) / along.squaredNorm();
     const Vec2 point = p + std::clamp(share, 0.0, 1.0) * along;
-    return {edge, share, point, std::sqrt((centre - point).squaredNorm())};
-}
-
-Foot nearest_foot(const PolarPolygon& outline, const Vec2& centre) {
-    Foot nearest = foot_on(outline, 0, centre);
-    for (int edge = 1; edge < outline.size(); ++edge) {
-        const Foot next = foot_on(outline, edge, centre);
-        if (next.distance < nearest.distance) nearest = next;
-    }
-    return nearest;
+    return {edge, share, point, (centre - point).squaredNorm()};
 }
 
 /// Is a foot, seen from outside, nearer than the outline to both of its sides: on a face that the centre is in front
 /// of, or a corner that sticks out towards it? An edge seen from behind only ends there; another one faces the disk.
-bool faces(const PolarPolygon& outline, const Foot& foot, const Foot& before, const Vec2& centre) {
+bool faces(const PolarPolygon& outline, const Foot& foot, double share_before, const Vec2& centre) {
     const Vec2 normal = outline.normal(foot.edge);
     if (foot.share >= 0.0) return foot.share < 1.0 && normal.dot(centre - foot.point) > 0.0;
-    return before.share >= 1.0 && cross(outline.normal(before.edge), normal) > 0.0;
+    return share_before >= 1.0 && cross(outline.normal(outline.previous(foot.edge)), normal) > 0.0;
 }
 
 /// a is the disk. One whose centre is inside goes out the nearest way; one outside may touch several faces and corners.
@@ -179,24 +170,26 @@ std::optional<ContactGeometry> contact_of(const PlacedShape& a, const Disk& of_a
     const double side = of_b.depth(centre) > 0.0 ? -1.0 : 1.0;
     std::optional<Candidate> best;
     const auto consider = [&](const Foot& foot) {
-        const double depth = of_a.radius() - side * foot.distance;
+        const double distance = std::sqrt(foot.squared_distance);
+        const double depth = of_a.radius() - side * distance;
         if (!(depth > tolerance)) return;
         const Vec2 out =
-            foot.distance > tolerance ? Vec2((centre - foot.point) * (side / foot.distance)) : of_b.normal(foot.edge);
+            distance > tolerance ? Vec2((centre - foot.point) * (side / distance)) : of_b.normal(foot.edge);
         const Vec2 normal = b.pose.turned(out);
         const Vec2 point = b.pose.to_world(foot.point);
         const Candidate next{point, normal, depth, approaches(a, b, point, normal)};
         if (!best || preferred(next, *best)) best = next;
     };
-    if (side > 0.0) {
-        Foot before = foot_on(of_b, of_b.size() - 1, centre);
-        for (int edge = 0; edge < of_b.size(); ++edge) {
-            const Foot foot = foot_on(of_b, edge, centre);
-            if (faces(of_b, foot, before, centre)) consider(foot);
-            before = foot;
-        }
+    const double reach = of_a.radius() * of_a.radius();
+    Foot nearest = foot_on(of_b, of_b.size() - 1, centre);
+    double share_before = nearest.share;
+    for (int edge = 0; edge < of_b.size(); ++edge) {
+        const Foot foot = foot_on(of_b, edge, centre);
+        if (foot.squared_distance < nearest.squared_distance) nearest = foot;
+        if (side > 0.0 && foot.squared_distance < reach && faces(of_b, foot, share_before, centre)) consider(foot);
+        share_before = foot.share;
     }
-    if (!best) consider(nearest_foot(of_b, centre));
+    if (!best) consider(nearest);
     if (!best) return std::nullopt;
     return ContactGeometry{best->point, best->normal, best->depth, NormalCase::flat};
 }
