@@ -138,33 +138,58 @@ std::optional<ContactGeometry> contact_of(const PlacedShape& a, const Disk& of_a
     return ContactGeometry{b.pose.centre + normal * (of_b.radius() - 0.5 * depth), normal, depth, NormalCase::flat};
 }
 
-/// Where a disk meets one edge: the nearest point of the edge, normal out of the polygon.
-std::optional<Candidate> edge_candidate(const PlacedShape& polygon, const PolarPolygon& outline, int edge,
-                                        const PlacedShape& disk, double radius, double tolerance) {
-    const Vec2 centre = polygon.pose.to_local(disk.pose.centre);
+/// The point of an edge that is nearest to a disk's centre (frame of the outline).
+struct Foot {
+    int edge;
+    double share;  ///< of the edge's length at which the centre stands, unbounded: 0 at its first corner, 1 at the next
+    Vec2 point;
+    double squared_distance;
+};
+
+Foot foot_on(const PolarPolygon& outline, int edge, const Vec2& centre) {
     const Vec2 p = outline.vertex(edge);
     const Vec2 along = outline.vertex(outline.next(edge)) - p;
-    const double s = std::clamp((centre - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    const Vec2 nearest = p + s * along;
-    const Vec2 out = centre - nearest;
-    const double distance = std::sqrt(out.squaredNorm());
-    if (!(distance < radius - tolerance)) return std::nullopt;
-    const bool beside = out.dot(outline.normal(edge)) > 0.0 && distance > tolerance;
-    const Vec2 normal = polygon.pose.turned(beside ? Vec2(out / distance) : outline.normal(edge));
-    const Vec2 point = polygon.pose.to_world(nearest);
-    return Candidate{point, normal, beside ? radius - distance : radius + distance,
-                     approaches(disk, polygon, point, normal)};
+    const double share = (centre - p).dot(along) / along.squaredNorm();
+    const Vec2 point = p + std::clamp(share, 0.0, 1.0) * along;
+    return {edge, share, point, (centre - point).squaredNorm()};
 }
 
-/// a is the disk.
+/// Is a foot, seen from outside, nearer than the outline to both of its sides: on a face that the centre is in front
+/// of, or a corner that sticks out towards it? An edge seen from behind only ends there; another one faces the disk.
+bool faces(const PolarPolygon& outline, const Foot& foot, double share_before, const Vec2& centre) {
+    const Vec2 normal = outline.normal(foot.edge);
+    if (foot.share >= 0.0) return foot.share < 1.0 && normal.dot(centre - foot.point) > 0.0;
+    return share_before >= 1.0 && cross(outline.normal(outline.previous(foot.edge)), normal) > 0.0;
+}
+
+/// a is the disk. One whose centre is inside goes out the nearest way; one outside may touch several faces and corners.
 std::optional<ContactGeometry> contact_of(const PlacedShape& a, const Disk& of_a, const PlacedShape& b,
                                           const PolarPolygon& of_b) {
     const double tolerance = tolerance_of(a.shape, b.shape);
+    const Vec2 centre = b.pose.to_local(a.pose.centre);
+    const double side = of_b.depth(centre) > 0.0 ? -1.0 : 1.0;
     std::optional<Candidate> best;
+    const auto consider = [&](const Foot& foot) {
+        const double distance = std::sqrt(foot.squared_distance);
+        const double depth = of_a.radius() - side * distance;
+        if (!(depth > tolerance)) return;
+        const Vec2 out =
+            distance > tolerance ? Vec2((centre - foot.point) * (side / distance)) : of_b.normal(foot.edge);
+        const Vec2 normal = b.pose.turned(out);
+        const Vec2 point = b.pose.to_world(foot.point);
+        const Candidate next{point, normal, depth, approaches(a, b, point, normal)};
+        if (!best || preferred(next, *best)) best = next;
+    };
+    const double reach = of_a.radius() * of_a.radius();
+    Foot nearest = foot_on(of_b, of_b.size() - 1, centre);
+    double share_before = nearest.share;
     for (int edge = 0; edge < of_b.size(); ++edge) {
-        const auto next = edge_candidate(b, of_b, edge, a, of_a.radius(), tolerance);
-        if (next && (!best || preferred(*next, *best))) best = next;
+        const Foot foot = foot_on(of_b, edge, centre);
+        if (foot.squared_distance < nearest.squared_distance) nearest = foot;
+        if (side > 0.0 && foot.squared_distance < reach && faces(of_b, foot, share_before, centre)) consider(foot);
+        share_before = foot.share;
     }
+    if (!best) consider(nearest);
     if (!best) return std::nullopt;
     return ContactGeometry{best->point, best->normal, best->depth, NormalCase::flat};
 }

@@ -31,7 +31,9 @@ struct ContactGeometry {
 /// edge's normal; if none approaches, the deepest. Normal: contact_normal(); where that normal makes the contact
 /// non-closing and the penetrated edge's makes it closing, the edge's (the paper is silent; without it a quarter of
 /// the blocking contacts never exchanges an impulse). Grains that cross without a vertex inside meet at the middle of
-/// their widest pair of crossing points, with the normal across it. Disks: the deepest approaching point of the other.
+/// their widest pair of crossing points, with the normal across it.
+/// Disks: the deepest approaching of the faces that the centre is in front of and the corners that stick out towards
+/// it, R - distance deep; a disk whose centre is inside a polygon goes out the nearest way and is R + distance deep.
 /// None where nothing overlaps beyond k_touch_tolerance.
 std::optional<ContactGeometry> find_contact(const PlacedShape& a, const PlacedShape& b);
 

@@ -79,6 +79,65 @@ TEST_P(RestitutionOfFaces, ComesOutAsItWentIn) {
 
 INSTANTIATE_TEST_SUITE_P(Coefficients, RestitutionOfFaces, ::testing::Values(0.3, 0.8, 1.0));
 
+/// Falls from the height [m] flat onto a floor, or onto its like that lies there: speed out over speed in.
+double flat_drop(double width, double e, double height, bool on_its_like) {
+    Scene scene = testing::empty_scene(e, 0.3);
+    testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}});
+    const ShapeIndex body = testing::add_rectangle(scene, width, 0.02);
+    const double floor = on_its_like ? 0.02 : 0.0;
+    if (on_its_like) scene.add(Grain{body, 0, {0.0, 0.01}});
+    scene.add(Grain{body, 0, {0.0, floor + 0.01 + height}});
+    const std::size_t falling = on_its_like ? 1 : 0;
+    const auto engine = testing::make_default_dem(scene);
+    World world = initial_world(scene);
+    StepReport report;
+    const double strike = std::sqrt(2.0 * k_g * height);
+    double highest = -strike;
+    while (world.time < strike / k_g + 0.02) {
+        engine->step(world, 1e-4, report);
+        highest = std::fmax(highest, world.grains.vy[falling]);
+    }
+    return highest / strike;
+}
+
+TEST(FlatFaces, OfLittleRestitutionDoNotThrowBackWhatFallsOnThemAtTheDefaultResolution) {
+    for (const double width : {0.02, 0.04, 0.1}) {
+        for (const double e : {0.0, 0.02, 0.05}) {
+            for (const double height : {0.013, 0.05, 0.1, 0.1071}) {
+                const double wall = flat_drop(width, e, height, false);
+                const double pair = flat_drop(width, e, height, true);
+                fmt::print("{} x 0.02 m, e {}, from {} m: wall {:.4f}, pair {:.4f}\n", width, e, height, wall, pair);
+                EXPECT_LT(wall, e + 0.05);
+                EXPECT_LT(pair, 2.0 * e + 0.05);  // two contacts, of which each gives back its share
+            }
+        }
+    }
+}
+
+/// In free flight contacts begin at the end of a step, to the last bit, and anywhere else.
+TEST(FlatFaces, OfLittleRestitutionPartSlowlyWhereverInAStepTheyMeet) {
+    for (const double width : {0.02, 0.04}) {
+        for (const double e : {0.0, 0.02, 0.05}) {
+            for (int k = 0; k < 10; ++k) {
+                Scene scene = testing::empty_scene(e, 0.0, 0.0);
+                testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}});
+                const ShapeIndex body = testing::add_rectangle(scene, width, 0.02);
+                const double gap = 0.003 + 1.3e-6 * k;
+                scene.add(Grain{body, 0, {0.0, 0.01 + gap}, 0.0, {0.0, -1.0}});
+                scene.add(Grain{body, 0, {0.0, 0.5}});
+                scene.add(Grain{body, 0, {0.0, 0.52 + gap}, 0.0, {0.0, -1.0}});
+                const auto engine = testing::make_default_dem(scene);
+                World world = initial_world(scene);
+                StepReport report;
+                for (int step = 0; step < 30; ++step) engine->step(world, 1e-3, report);
+                EXPECT_LT(world.grains.vy[0], e + 0.03) << width << " " << e << " " << k;
+                EXPECT_LT(world.grains.vy[2] - world.grains.vy[1], e + 0.03) << width << " " << e << " " << k;
+                for (const double spin : world.grains.spin) EXPECT_LT(std::abs(spin), 0.3);
+            }
+        }
+    }
+}
+
 TEST(TargetOverlap, IsReachedByTheFastestImpact) {
     Scene scene = testing::empty_scene(1.0, 0.0);
     testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}});

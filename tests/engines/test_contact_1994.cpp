@@ -331,6 +331,20 @@ TEST(Contact1994, ARemovedFloorLetsGo) {
     EXPECT_NEAR(sim.world.grains.y[0], start + speed * 0.2 - 0.5 * 9.81 * 0.04, 1e-3);
 }
 
+TEST(Contact1994, ADiskThatStrikesAFlatTopBesideACornerReboundsFromTheTop) {
+    for (const double inboard : {1e-4, 2e-3, 9e-3}) {
+        Scene scene = testing::empty_scene(1.0, 0.0, 0.0);
+        scene.add(Grain{testing::add_rectangle(scene, 0.2, 0.1), 0, {-0.1, -0.05}});
+        const Vec2 struck(-inboard, 0.01);
+        const Vec2 velocity(-0.5, -1.0);
+        scene.add(Grain{testing::add_disk(scene, 0.01), 0, struck - 0.00535 * velocity, 0.0, velocity});
+        Running sim(scene);
+        sim.run(0.02, 1e-3, [] {});
+        EXPECT_NEAR(sim.world.grains.vx[1], -0.5, 1e-12) << inboard;
+        EXPECT_GT(sim.world.grains.vy[1], 0.5) << inboard;
+    }
+}
+
 // --- reproducibility ---
 
 TEST(Contact1994, SavedAndLoadedItGoesOnBitForBit) {

@@ -164,6 +164,14 @@ TEST(DeepestOverlap, IsTheDepthOfTheDeepestVertexOrPoint) {
     EXPECT_NEAR(deepest_overlap(boxes, initial_world(boxes)), 0.0005, 1e-12);
     boxes.grains.x[1] = 0.021;
     EXPECT_EQ(deepest_overlap(boxes, initial_world(boxes)), 0.0);
+
+    // A disk on a box, a hair inside of its corner, then with its centre inside.
+    boxes.add(Grain{add_disk(boxes, 0.01), 0, {0.0099, 0.0195}});
+    boxes.grains.x[1] = 0.5;
+    EXPECT_NEAR(deepest_overlap(boxes, initial_world(boxes)), 0.0005, 1e-12);
+    boxes.grains.x[2] = 0.0095;
+    boxes.grains.y[2] = 0.009;
+    EXPECT_NEAR(deepest_overlap(boxes, initial_world(boxes)), 0.0105, 1e-12);
 }
 
 /// Grains that fall through a line a step at a time, one of them beside it.

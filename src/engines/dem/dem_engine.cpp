@@ -27,7 +27,7 @@ public:
         : scene_(scene),
           system_(scene, settings),
           integrator_(make_integrator(settings.integrator)),
-          longest_part_(system_.shortest_contact() / settings.resolution) {}
+          longest_part_(system_.longest_step()) {}
 
     std::string_view name() const override { return "dem"; }
     double suggested_dt() const override { return critical_time_step(scene_); }

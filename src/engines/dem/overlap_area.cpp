@@ -13,6 +13,10 @@ namespace {
 /// crossing points. Forces stay the exact gradient of an energy, that of the turned outline.
 constexpr double k_nudge = 1e-10;
 
+/// Depth over width below which a region is the nudge's: the half of two faces just met that it turned into one
+/// another.
+constexpr double k_of_the_nudge = 2.0 * k_nudge;
+
 /// Edges with an end whose station along the unit direction (of the grain's frame) exceeds the limit, in the order of
 /// the outline. `place` takes the grain's frame to that of the result.
 template <typename Place>
@@ -175,7 +179,7 @@ void OverlapArea::follow_loop(std::size_t start) {
         high = std::max(high, station);
     }
     region.depth = high - low;
-    if (region.area > 0.0) regions_.push_back(region);
+    if (region.area > 0.0 && region.depth > k_of_the_nudge * region.width) regions_.push_back(region);
 }
 
 }  // namespace polargrain

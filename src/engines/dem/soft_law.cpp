@@ -19,6 +19,14 @@ constexpr double k_least_restitution = 0.01;
 /// An impact on the whole of the widest face is rare, and may take that much fewer steps.
 constexpr double k_coarser_on_faces = 2.5;
 
+/// Step over the time 1 / (s (gamma + sqrt(gamma^2 - 1))) in which a dashpot above critical damping stops two bodies, s
+/// being their frequency. From 1 on an explicit scheme throws them back; at half of it a restitution below 0.05 comes
+/// out to 0.015, and grains with two such contacts are stable still.
+constexpr double k_step_over_decay = 0.5;
+
+/// A random restitution is rarely less than its mean by more standard deviations than that.
+constexpr double k_deviations = 3.0;
+
 double exponent_of(const SoftLaw& law) {
     switch (law.normal) {
         case NormalLaw::hertz: return 0.5;
@@ -55,6 +63,17 @@ double least_restitution(const Scene& scene) {
     return std::max(least, k_least_restitution);
 }
 
+/// Least restitution of a grain of material a against material b, as far as a decides it.
+double least_restitution(const Scene& scene, MaterialIndex a, MaterialIndex b) {
+    const auto& own = scene.materials.pair(a, b).restitution;
+    const Restitution& restitution = own ? *own : scene.materials[a].restitution;
+    return restitution.mean - k_deviations * restitution.stddev;
+}
+
+/// 1 / (s t) with the time t in which a dashpot of the ratio gamma stops two bodies of the frequency s; 0 where none
+/// does before they turn.
+double decay_over_frequency(double gamma) { return gamma > 1.0 ? gamma + std::sqrt(gamma * gamma - 1.0) : 0.0; }
+
 }  // namespace
 
 SoftLaws::SoftLaws(const Scene& scene, const DemSettings& settings)
@@ -79,7 +98,7 @@ SoftLaws::SoftLaws(const Scene& scene, const DemSettings& settings)
                 scene.materials[a].name, scene.materials[b].name);
         }
     }
-    find_shortest_contact(scene, settings);
+    find_longest_step(scene, settings);
 }
 
 PairSoftLaw SoftLaws::resolve(const Scene& scene, const DemSettings& settings, MaterialIndex a, MaterialIndex b) const {
@@ -100,26 +119,52 @@ PairSoftLaw SoftLaws::resolve(const Scene& scene, const DemSettings& settings, M
     return pair;
 }
 
-void SoftLaws::find_shortest_contact(const Scene& scene, const DemSettings& settings) {
+void SoftLaws::find_longest_step(const Scene& scene, const DemSettings& settings) {
     double stiffest = 0.0;
     double unloading = 1.0;
     for (const PairSoftLaw& pair : laws_) {
         stiffest = std::max(stiffest, pair.linear_stiffness);
         if (pair.law.normal == NormalLaw::walton_braun) unloading = least_restitution(scene);
     }
-    shortest_contact_ = std::numeric_limits<double>::infinity();
+    const double decay = fastest_decay(scene);
+    double shortest_contact = std::numeric_limits<double>::infinity();
+    double shortest_decay = std::numeric_limits<double>::infinity();
     const double q = settings.area_exponent;
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         const Shape& shape = scene.shape_of(k);
         double stiffness = stiffest;
+        double share = 1.0;
         if (const auto* polygon = std::get_if<PolarPolygon>(&shape)) {
             // W'' for a face of width w, see area_energy; at the target area for q < 2, where it falls with depth.
-            const double widths = flat_width(*polygon) / polygon->inner_radius() / k_coarser_on_faces;
-            stiffness = std::max(stiffest, 0.5 * q * (q - 1.0) * stiffest * widths * widths);
+            const double width = flat_width(*polygon) / polygon->inner_radius();
+            const double coarse = width / k_coarser_on_faces;
+            stiffness = std::max(stiffest, 0.5 * q * (q - 1.0) * stiffest * coarse * coarse);
+            // What the dashpot of such a face, gamma W' sqrt(2 m / W), is of one that acts by depth.
+            share = std::max(1.0, 0.5 * q * width);
         }
         const double reduced = 0.5 * scene.grains.mass[Grains::at(k)];
-        shortest_contact_ = std::min(shortest_contact_, unloading * k_pi * std::sqrt(reduced / stiffness));
+        shortest_contact = std::min(shortest_contact, unloading * k_pi * std::sqrt(reduced / stiffness));
+        if (decay > 0.0) shortest_decay = std::min(shortest_decay, std::sqrt(reduced) / (decay * share));
     }
+    longest_step_ = std::min(shortest_contact / settings.resolution, k_step_over_decay * shortest_decay);
+}
+
+/// Fastest decay of the scene's materials, times the square root of the reduced mass [sqrt(kg/m) / s].
+double SoftLaws::fastest_decay(const Scene& scene) const {
+    DampingRatio ratio;
+    double fastest = 0.0;
+    std::vector<char> of_grains(materials_, 0);
+    for (const MaterialIndex material : scene.grains.material) of_grains[static_cast<std::size_t>(material)] = 1;
+    for (MaterialIndex a = 0; a < scene.materials.size(); ++a) {
+        if (of_grains[static_cast<std::size_t>(a)] == 0) continue;  // a wall's own restitution decides nothing
+        for (MaterialIndex b = 0; b < scene.materials.size(); ++b) {
+            const PairSoftLaw& pair = of(a, b);
+            if (pair.law.normal == NormalLaw::walton_braun) continue;
+            const double gamma = ratio.of(least_restitution(scene, a, b), pair.law.tension);
+            fastest = std::max(fastest, decay_over_frequency(gamma) * std::sqrt(pair.linear_stiffness));
+        }
+    }
+    return fastest;
 }
 
 double flat_width(const PolarPolygon& polygon) {

@@ -30,19 +30,23 @@ public:
         return laws_[static_cast<std::size_t>(a) * materials_ + static_cast<std::size_t>(b)];
     }
 
-    /// Shortest contact that the scene can have [s], but 2.5 times that of two polygons which meet in the whole of
-    /// their widest faces; infinite without grains.
-    double shortest_contact() const { return shortest_contact_; }
+    /// Longest step that cuts every contact finely enough [s]; infinite without grains.
+    ///
+    /// The shortest contact that the scene can have over the resolution, but 2.5 times that for two polygons which meet
+    /// in the whole of their widest faces; and half the time in which the strongest dashpot above critical damping
+    /// stops two bodies.
+    double longest_step() const { return longest_step_; }
 
 private:
     PairSoftLaw resolve(const Scene& scene, const DemSettings& settings, MaterialIndex a, MaterialIndex b) const;
-    void find_shortest_contact(const Scene& scene, const DemSettings& settings);
+    void find_longest_step(const Scene& scene, const DemSettings& settings);
+    double fastest_decay(const Scene& scene) const;
 
     std::size_t materials_;
     double target_ = 0.0;          ///< target overlap of the smallest grain [m]
     double mass_over_area_ = 0.0;  ///< largest mass over squared inner radius [kg/m^3]
     double speed_ = 1.0;           ///< of the fastest impact [m/s]
-    double shortest_contact_ = 0.0;
+    double longest_step_ = 0.0;    ///< [s]
     std::vector<PairSoftLaw> laws_;
 };
 

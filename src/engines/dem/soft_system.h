@@ -25,7 +25,7 @@ public:
     SoftSystem(const Scene& scene, const DemSettings& settings);
 
     std::size_t size() const { return 3 * bodies_.size(); }
-    double shortest_contact() const { return laws_.shortest_contact(); }
+    double longest_step() const { return laws_.longest_step(); }
     /// Number of the engine's step, from which random restitutions are drawn.
     void set_step(std::int64_t step) { step_ = step; }
 
