@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using h5::Handle;
 
-constexpr int k_format = 1;
+constexpr int k_format = 2;
 constexpr std::size_t k_head_bytes = 512;
 constexpr std::string_view k_first_line = "polargrain checkpoint\n";
 
@@ -77,10 +77,10 @@ void check_file(const fs::path& path) {
     const std::string_view all = bytes;
     require(all.starts_with(k_first_line), "{}: not a checkpoint that polargrain wrote", path.string());
     const int format = format_of(all);
-    require(format <= k_format,
-            "{}: has format {}, and this program knows formats up to {}; resume it with a newer "
-            "polargrain",
-            path.string(), format, k_format);
+    require(format == k_format,
+            "{}: has format {}, and this program knows format {}; resume it with {} polargrain, or "
+            "run its scenario.toml again",
+            path.string(), format, k_format, format > k_format ? "a newer" : "the older");
     require(all.size() > k_head_bytes && all.substr(0, k_head_bytes) == head_for(k_format, all.substr(k_head_bytes)),
             "{}: is damaged or cut short (its checksum does not fit); a run cannot be carried on from it",
             path.string());

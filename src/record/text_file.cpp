@@ -40,9 +40,7 @@ TextHash hash_of(const std::filesystem::path& path, std::int64_t length) {
 /// Of the part that was there when the checkpoint was made, having made sure that it is the same.
 TextHash kept_content(const std::filesystem::path& path, const Checkpoint& saved) {
     TextHash hash = hash_of(path, saved.integers(k_length).at(0));
-    // Versions that kept no hash have left checkpoints too.
-    const bool vouched = saved.all_integers().contains(k_hash);
-    require(!vouched || static_cast<std::int64_t>(hash.value()) == saved.integers(k_hash).at(0),
+    require(static_cast<std::int64_t>(hash.value()) == saved.integers(k_hash).at(0),
             "{}: is not the file that the checkpoint was made with; it has been changed since", path.string());
     return hash;
 }
