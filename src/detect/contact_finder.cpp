@@ -40,7 +40,7 @@ struct VertexChoice {
     Candidate candidate{};
 };
 
-/// Best vertex of `owner` inside `other`; sign: +1 where the owner is body a.
+/// Best vertex of `owner`, which is a or b, inside `other`.
 void choose_vertex(const PlacedShape& a, const PlacedShape& b, bool owner_is_a, const PolarPolygon& owner,
                    const PolarPolygon& other, const std::vector<InsideVertex>& inside,
                    std::optional<VertexChoice>& best) {

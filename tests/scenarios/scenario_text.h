@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -18,7 +19,7 @@ public:
         const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
         std::string unique = std::string(test->test_suite_name()) + "." + test->name();
         for (char& c : unique) c = c == '/' ? '_' : c;
-        folder_ = std::filesystem::temp_directory_path() / ("polargrain-" + unique);
+        folder_ = std::filesystem::temp_directory_path() / ("polargrain-" + unique + "-" + std::to_string(getpid()));
         std::filesystem::create_directories(folder_);
         path_ = folder_ / name;
         std::ofstream(path_) << text;

@@ -135,7 +135,8 @@ void SoftLaws::find_longest_step(const Scene& scene, const DemSettings& settings
         double stiffness = stiffest;
         double share = 1.0;
         if (const auto* polygon = std::get_if<PolarPolygon>(&shape)) {
-            // W'' for a face of width w, see area_energy; at the target area for q < 2, where it falls with depth.
+            // W'' for a face of width w, see docs/dem.md, Where polygons touch; at the target area for q < 2, where it
+            // falls with depth.
             const double width = flat_width(*polygon) / polygon->inner_radius();
             const double coarse = width / k_coarser_on_faces;
             stiffness = std::max(stiffest, 0.5 * q * (q - 1.0) * stiffest * coarse * coarse);
