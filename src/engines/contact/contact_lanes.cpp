@@ -58,6 +58,7 @@ void ContactLanes::cut_into_strips(std::size_t contacts, const std::vector<Vec2>
     }
     const Vec2 extent = high - low;
     const int axis = extent.x() >= extent.y() ? 0 : 1;
+    if (extent[axis] <= 0.0) return;  // one grain with thousands of contacts
     const double most = extent[axis] / (k_least_width * widest_);
     strips_ = std::max<std::size_t>(1, std::min(contacts / k_contacts_a_strip, static_cast<std::size_t>(most)));
     const double per_width = static_cast<double>(strips_) / extent[axis];
