@@ -1,19 +1,8 @@
 #include "src/cli/prepared_run.h"
 
 #include "src/core/error.h"
-#include "src/observe/observer.h"
 
 namespace polargrain {
-
-namespace {
-
-/// Some observables find only when they are made that they have no meaning in the scene.
-void check_observables(const Scenario& scenario) {
-    for (const ObservableSpec& spec : scenario.output.observe) Observer(spec, scenario.scene);
-    for (const Expectation& expectation : scenario.expectations) Observer(expectation.observable, scenario.scene);
-}
-
-}  // namespace
 
 PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& overrides) {
     std::filesystem::path file = find_scenario(scenario);
@@ -26,7 +15,6 @@ PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& ov
         // never begin or end.
         asked->check_dt(time_step.dt);
         step_count(loaded.run.duration, time_step.dt);
-        check_observables(loaded);
         std::vector<std::string> notes = asked->notes();  // while the scene is still where the engine knows it
         return {std::move(file), std::move(loaded), engine, std::move(time_step), std::move(notes)};
     } catch (const InputError& error) {

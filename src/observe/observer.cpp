@@ -90,9 +90,8 @@ void check_name(const char* what, const std::optional<std::string>& name, const 
                                                   : "there are: " + joined(names, ", ")));
 }
 
-}  // namespace
-
-void check_observable(const ObservableSpec& spec, const Scene& scene) {
+/// What can be told wrong without making the meter.
+void check_words(const ObservableSpec& spec, const Scene& scene) {
     const ObservableEntry* entry = find_observable(spec.quantity);
     if (entry == nullptr) {
         const std::string nearest = nearest_name(spec.quantity, observable_names());
@@ -108,7 +107,13 @@ void check_observable(const ObservableSpec& spec, const Scene& scene) {
     check_name("wall", spec.wall, walls);
     check_name("shape of grains", spec.shape, shapes);
     check_name("material", spec.material, materials);
-    make_meter(spec, scene);  // what it refuses by itself
+}
+
+}  // namespace
+
+void check_observable(const ObservableSpec& spec, const Scene& scene) {
+    check_words(spec, scene);
+    make_meter(spec, scene);  // refuses what has no meaning in the scene
 }
 
 struct Observer::Meter {
@@ -116,7 +121,7 @@ struct Observer::Meter {
 };
 
 Observer::Observer(const ObservableSpec& spec, const Scene& scene) : spec_(spec) {
-    check_observable(spec, scene);
+    check_words(spec, scene);
     entry_ = find_observable(spec.quantity);
     meter_ = std::make_unique<Meter>(Meter{make_meter(spec, scene)});
 }
