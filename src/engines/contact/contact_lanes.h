@@ -17,6 +17,8 @@ struct SweepEffort {
     /// A sweep back ends with the strips and the next one begins with them: a strip that has changed gets both while it
     /// is in the cache. Not where a bed is at rest: its last digits settle worse.
     bool in_pairs;
+    /// Where the sweeps of the first sub-step do not settle, all impulses are found together. For beds at rest.
+    bool together = false;
 };
 
 /// The contacts of a step in blocks of eight that share no grain, for the solver's loops over all of them.
@@ -70,6 +72,10 @@ public:
     void widen(std::size_t contact, double way) { block(contact).open.of[lane(contact)] += way; }
     double normal_impulse(std::size_t contact) const { return block(contact).normal_impulse.of[lane(contact)]; }
     double tangent_impulse(std::size_t contact) const { return block(contact).tangent_impulse.of[lane(contact)]; }
+    void set_impulse(std::size_t contact, const Vec2& impulse) {
+        block(contact).normal_impulse.of[lane(contact)] = impulse.x();
+        block(contact).tangent_impulse.of[lane(contact)] = impulse.y();
+    }
     /// Travel against its bounds: past the upper one?
     bool beyond_high(std::size_t contact) const {
         const TravelBlock& t = travels_[place_[contact] / k_lanes];

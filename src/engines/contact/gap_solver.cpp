@@ -5,8 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "src/engines/contact/energy_guard.h"
+#include "src/engines/contact/equilibrium.h"
 #include "src/engines/contact/gap_motion.h"
 #include "src/model/contact_law.h"
 
@@ -132,9 +134,35 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Sweep
     if (resting) {
         stop();
     } else {
-        lanes_.sweep(bodies_, h, {effort.sweeps, settled, effort.in_pairs});
+        const SweepEffort sweeps{effort.sweeps, settled, effort.in_pairs};
+        const bool done = lanes_.sweep(bodies_, h, sweeps);
+        if (!done && first && effort.together && moving_.empty()) {
+            find_together(contacts, h);
+            lanes_.sweep(bodies_, h, sweeps);
+        }
     }
     find_pushed();
+}
+
+/// Of a bed that was at rest. Where there is no answer, what the sweeps have found stays.
+void GapSolver::find_together(std::vector<GapContact>& contacts, double h) {
+    const Vec2 kick = h * scene_.gravity;
+    std::vector<double> open(contacts.size());
+    for (std::size_t k = 0; k < contacts.size(); ++k) open[k] = lanes_.open(k);
+    std::vector<double> reach(grains_);
+    for (std::size_t k = 0; k < grains_; ++k) reach[k] = outer_radius(scene_.shape_of(static_cast<GrainIndex>(k)));
+    std::vector<Vec2> impulses;
+    if (!find_equilibrium({contacts, open, std::span(bodies_).first(grains_), reach, kick, h}, impulses)) return;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        contacts[k].normal_impulse = impulses[k].x();
+        contacts[k].tangent_impulse = impulses[k].y();
+        lanes_.set_impulse(k, impulses[k]);
+    }
+    for (std::size_t k = 0; k < grains_; ++k) {
+        bodies_[k].velocity = kick;
+        bodies_[k].spin = 0.0;
+        push_by_all(contacts, static_cast<GrainIndex>(k));
+    }
 }
 
 void GapSolver::find_pushed() {

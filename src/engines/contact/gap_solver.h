@@ -21,7 +21,8 @@ namespace polargrain {
 /// 2. gravity's kick, v += g h;
 /// 3. lasting contacts: projected Gauss-Seidel, first guess from the sub-step before. Normal: the gap may close to the
 ///    resting gap but not beyond, u_n >= -(gap - resting) / h, else no approach (never a push-out velocity); friction
-///    within the cone of the normal impulse just found;
+///    within the cone of the normal impulse just found. Of a bed at rest that they do not settle, all impulses are
+///    found together from time to time (find_equilibrium);
 /// 4. gaps and poses move on linearly; points that leave their edge hand over to the edge that follows.
 /// Energy: kick, solve and move together change it by the sum of p.u(after) - |g h + dv|^2 / 2 in the mass metric;
 /// a converged solve has p.u <= 0. A grain that no lasting contact has pushed in a sub-step moves by the exact
@@ -81,6 +82,7 @@ private:
     void set_wall_velocities(std::vector<GapContact>& contacts, double time);
 
     void lasting(std::vector<GapContact>& contacts, double h, const SweepEffort& effort, bool first);
+    void find_together(std::vector<GapContact>& contacts, double h);
     void push_by_all(const std::vector<GapContact>& contacts, GrainIndex grain);
     bool rests(double h) const;
     void stop();
