@@ -78,9 +78,7 @@ std::vector<std::string> words_for(const Job& job, const SweepPlan& plan) {
     const ScenarioOverrides& overrides = job.run.overrides;
     std::vector<std::string> words{program,   "run",    plan.scenario.string(), "-o", job.folder.string(),
                                    "--quiet", "--force"};
-    for (const std::string& set : overrides.set) words.insert(words.end(), {"--set", set});
-    if (overrides.engine) words.insert(words.end(), {"--engine", *overrides.engine});
-    if (overrides.seed) words.insert(words.end(), {"--seed", std::to_string(*overrides.seed)});
+    for (const LaidValue& value : overrides.laid) words.insert(words.end(), {"--set", value.text});
     if (overrides.no_frames) words.emplace_back("--no-frames");
     return words;
 }
@@ -213,12 +211,6 @@ void check_folder(const SweepRequest& request, const fs::path& folder, const Swe
                 "or --force to replace the runs in this one",
                 plan.scenario.string(), job.folder.string());
     }
-}
-
-void make_folder(const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) throw RunError(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
 }
 
 /// Takes the folder, which is locked, for this sweep, or takes up the sweep that is in it.
