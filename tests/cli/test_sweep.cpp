@@ -182,6 +182,12 @@ TEST_F(Sweep, SaysWhatIsWrongInItsFile) {
                 HasSubstr("wrong.toml:2:9: seeds: 10000000000 are more than the 100000 runs"));
     EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nseeds = 100000\nengines = [\"contact\", \"dem\"]\n"),
                 HasSubstr("makes 200000 runs"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[vary]\nmaterials.stone.friction = [0.1, -1.0]\n"),
+                HasSubstr("wrong.toml:3:34: materials.stone.friction: is -1"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[set]\nmaterials.stone.densty = 1.0\n"),
+                HasSubstr("wrong.toml:3:26: unknown key materials.stone.densty"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nengines = [\"box3d\"]\n"),
+                HasSubstr("wrong.toml:2:12: run.engine"));
     EXPECT_EQ(polargrain({"sweep", "none.toml"}).exit_code, 2);
     fs::create_directories(scratch_ / "folder");
     const Outcome folder = polargrain({"sweep", "folder"});
