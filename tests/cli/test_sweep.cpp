@@ -155,6 +155,19 @@ TEST_F(Sweep, LeavesCompleteRunsAlone) {
     EXPECT_EQ(fs::last_write_time(scratch_ / "swept" / "runs" / "0003" / "summary.json"), written);
 }
 
+TEST_F(Sweep, RunsAgainWhatHasLeftADamagedSummary) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    const std::string table = read_file(scratch_ / "swept" / "table.csv");
+    for (const char* damaged :
+         {"", "{", "[]", "{\"interrupted\": 3}", "{\"interrupted\": false, \"observables\": 3}"}) {
+        scratch_.write("swept/runs/0003/summary.json", damaged);
+        const Outcome again = polargrain({"sweep", "sweep.toml", "-o", "swept"});
+        EXPECT_EQ(again.exit_code, 0) << damaged << again.err;
+        EXPECT_THAT(again.out, HasSubstr("7 of them done already"));
+        EXPECT_EQ(read_file(scratch_ / "swept" / "table.csv"), table) << damaged;
+    }
+}
+
 TEST_F(Sweep, RefusesTheFolderOfAnother) {
     ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
     scratch_.write("sweep.toml", replaced(k_sweep, "0.4", "0.5"));

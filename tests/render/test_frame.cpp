@@ -257,7 +257,7 @@ TEST_F(Frame, AFullDiskIsNoticed) {
                  RunError);
 }
 
-TEST(Frame, OnAFullDiskIsAnErrorByNameWhateverItsFormat) {
+TEST(PictureFile, OnAFullDiskIsAnErrorByNameWhateverItsFormat) {
     const testing::TemporaryFolder folder("frame-full");
     const auto previous = std::signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
