@@ -9,16 +9,23 @@
 #include <vector>
 
 #include "src/core/error.h"
+#include "src/record/text_file.h"
 
 namespace polargrain {
 
 namespace {
 
-cairo_surface_t* create_surface(const std::filesystem::path& path, int width, int height) {
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+/// Vectors go into a text: where Cairo writes the file itself, it forgets errors on the way.
+cairo_surface_t* create_surface(const std::filesystem::path& path, int width, int height, std::string& vectors) {
     const std::string extension = path.extension().string();
     if (extension == ".png") return cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-    if (extension == ".svg") return cairo_svg_surface_create(path.c_str(), width, height);
-    if (extension == ".pdf") return cairo_pdf_surface_create(path.c_str(), width, height);
+    if (extension == ".svg") return cairo_svg_surface_create_for_stream(append, &vectors, width, height);
+    if (extension == ".pdf") return cairo_pdf_surface_create_for_stream(append, &vectors, width, height);
     throw InputError(
         fmt::format("{}: cannot draw into a file of this kind; end its name in .png, .svg or .pdf", path.string()));
 }
@@ -72,7 +79,7 @@ Canvas::Canvas(std::filesystem::path path, int width, int height)
     : path_(std::move(path)),
       sheet_{0.0, 0.0, static_cast<double>(width), static_cast<double>(height)},
       pixels_(path_.extension() == ".png"),
-      surface_(create_surface(path_, width, height)),
+      surface_(create_surface(path_, width, height, vectors_)),
       context_(cairo_create(surface_)) {
     make_white();
 }
@@ -99,9 +106,15 @@ Canvas::~Canvas() {
 void Canvas::finish() {
     check(cairo_status(context_));
     check(cairo_surface_status(surface_));
-    if (pixels_) write_png(surface_, path_);
+    if (pixels_) {
+        write_png(surface_, path_);
+        return;
+    }
     cairo_surface_finish(surface_);
     check(cairo_surface_status(surface_));
+    TextFile file(path_);
+    file.write(vectors_);
+    file.close();
 }
 
 std::span<const unsigned char> Canvas::pixels() const {

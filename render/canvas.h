@@ -43,6 +43,7 @@ private:
     std::filesystem::path path_;
     Rect sheet_;
     bool pixels_;
+    std::string vectors_;  ///< of a sheet without pixels: the file as drawn so far
     cairo_surface_t* surface_ = nullptr;
     cairo_t* context_ = nullptr;
 };

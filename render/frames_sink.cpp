@@ -12,9 +12,7 @@ FramesSink::FramesSink(std::filesystem::path folder, FrameSettings settings)
     : folder_(std::move(folder)), settings_(std::move(settings)) {}
 
 void FramesSink::begin(const Scene& scene, const RunInfo& info) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder_, failed);
-    if (failed) throw RunError(fmt::format("{}: cannot make the folder: {}", folder_.string(), failed.message()));
+    make_folder(folder_);
     style_ = make_frame_style(settings_, scene, info.title, info.dt);
     count_ = synced_ = 0;
     index_.emplace(folder_ / "index.csv");
@@ -26,8 +24,14 @@ std::filesystem::path FramesSink::file_of(std::int64_t frame) const {
     return folder_ / fmt::format("{:06}.{}", frame, settings_.format);
 }
 
-void FramesSink::save(Checkpoint& checkpoint) {
+void FramesSink::sync() {
     for (; synced_ < count_; ++synced_) sync_file(file_of(synced_));
+    index_->sync();
+    sync_file(folder_);
+}
+
+void FramesSink::save(Checkpoint& checkpoint) {
+    sync();
     index_->save(checkpoint);
     checkpoint.put("count", std::vector{count_});
 }
@@ -57,6 +61,9 @@ void FramesSink::sample(const Sample& sample) {
     ++count_;
 }
 
-void FramesSink::end() { index_->close(); }
+void FramesSink::end() {
+    sync();
+    index_->close();
+}
 
 }  // namespace polargrain

@@ -27,6 +27,8 @@ public:
     std::int64_t count() const { return count_; }
 
 private:
+    /// Puts all that has been drawn on the disk.
+    void sync();
     std::filesystem::path file_of(std::int64_t frame) const;
 
     std::filesystem::path folder_;

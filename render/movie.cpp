@@ -66,7 +66,7 @@ fs::path beside(const fs::path& path, const char* extension) {
 }
 
 std::vector<std::string> encoder_words(const FrameStyle& style, double frames_per_second, const fs::path& part) {
-    return {k_encoder, "-hide_banner", "-loglevel", "error", "-y",
+    return {k_encoder, "-hide_banner", "-loglevel", "error", "-xerror", "-y",
             // what comes in
             "-f", "rawvideo", "-pixel_format", "bgr0", "-video_size", fmt::format("{}x{}", style.width, style.height),
             "-framerate", fmt::format("{}", frames_per_second), "-i", "-",
@@ -99,7 +99,8 @@ public:
     /// The complete movie.
     const fs::path& finish() {
         stream_.close_writing_end();
-        if (child_.wait() != 0) fail();
+        // It may end with zero although the disk is full; then it has complained.
+        if (child_.wait() != 0 || fs::file_size(log_) > 0) fail();
         return part_;
     }
 

@@ -130,23 +130,28 @@ Document::Document(const std::filesystem::path& path, const ScenarioOverrides& o
 std::filesystem::path Document::folder() const { return path_.parent_path(); }
 
 void Document::apply(const ScenarioOverrides& overrides) {
-    for (const std::string& text : overrides.set) {
-        const std::string origin = "--set " + text;
-        require(fits_toml(text), "{}: is not UTF-8", origin);
-        const std::size_t equals = text.find('=');
-        require(equals != std::string::npos, "{}: has no \"=\"; write key.path=value, for example run.duration=2",
-                origin);
-        assign(origin, trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)));
+    for (const LaidValue& value : overrides.laid) assign(value.from, value.text);
+    for (const std::string& text : overrides.set) assign({"--set " + text}, text);
+    if (overrides.engine) assign({"--engine " + *overrides.engine}, "run.engine", *overrides.engine);
+    if (overrides.seed) {
+        assign({fmt::format("--seed {}", *overrides.seed)}, "run.seed", std::to_string(*overrides.seed));
     }
-    if (overrides.engine) assign("--engine " + *overrides.engine, "run.engine", *overrides.engine);
-    if (overrides.seed) assign(fmt::format("--seed {}", *overrides.seed), "run.seed", std::to_string(*overrides.seed));
     if (overrides.threads) {
-        assign(fmt::format("--threads {}", *overrides.threads), "run.threads", std::to_string(*overrides.threads));
+        assign({fmt::format("--threads {}", *overrides.threads)}, "run.threads", std::to_string(*overrides.threads));
     }
-    if (overrides.no_frames) assign("--no-frames", "output.frames.every", "0");
+    if (overrides.no_frames) assign({"--no-frames"}, "output.frames.every", "0");
 }
 
-void Document::assign(const std::string& origin, const std::string& path, const std::string& value) {
+void Document::assign(const SourceLocation& from, const std::string& text) {
+    const std::string origin = to_string(from);
+    require(fits_toml(text), "{}: is not UTF-8", origin);
+    const std::size_t equals = text.find('=');
+    require(equals != std::string::npos, "{}: has no \"=\"; write key.path=value, for example run.duration=2", origin);
+    assign(from, trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)));
+}
+
+void Document::assign(const SourceLocation& from, const std::string& path, const std::string& value) {
+    const std::string origin = to_string(from);
     const std::vector<PathStep> steps = split_path(origin, path);
     toml::table parsed = parse_value(origin, value);
     toml::node* node = &root_;
@@ -166,13 +171,13 @@ void Document::assign(const std::string& origin, const std::string& path, const 
         enter_table(origin, *node, last, where);
         node->as_table()->insert_or_assign(last.key, std::move(fresh));
     }
-    overrides_.insert(overrides_.begin(), {joined(steps), origin});
+    overrides_.insert(overrides_.begin(), {joined(steps), from});
 }
 
 SourceLocation Document::where(const std::string& path, const toml::source_region& source) const {
     for (const Override& given : overrides_) {
         const bool made_by_override = source.begin.line == 0 && lies_under(given.path, path);
-        if (lies_under(path, given.path) || (made_by_override && !path.empty())) return {given.origin, 0, 0};
+        if (lies_under(path, given.path) || (made_by_override && !path.empty())) return given.origin;
     }
     return {path_.string(), static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }

@@ -27,12 +27,14 @@ public:
 
 private:
     struct Override {
-        std::string path;    ///< normalised: "walls[0].points"
-        std::string origin;  ///< as given: "--set walls.0.points=..."
+        std::string path;       ///< normalised: "walls[0].points"
+        SourceLocation origin;  ///< a place in a sweep file, or as given: "--set walls.0.points=..."
     };
 
     void apply(const ScenarioOverrides& overrides);
-    void assign(const std::string& origin, const std::string& path, const std::string& value);
+    /// text: "key.path=value".
+    void assign(const SourceLocation& from, const std::string& text);
+    void assign(const SourceLocation& from, const std::string& path, const std::string& value);
 
     std::filesystem::path path_;
     toml::table root_;

@@ -104,7 +104,7 @@ void read_run(Reading& reading) {
     const auto [sine, cosine] = sine_cosine(incline * k_radians_per_degree);
     scene.gravity = {gravity * sine, -gravity * cosine};
     scene.seed = static_cast<std::uint64_t>(table.integer("seed", 0, k_largest_seed, 1));
-    scene.threads = static_cast<int>(table.integer("threads", 1, 1024, 1));
+    scene.threads = static_cast<int>(table.integer("threads", 1, k_most_threads, 1));
     append_section(reading.resolved, "[run]", table);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "src/core/error.h"
 #include "src/model/settings.h"
 
 namespace polargrain {
@@ -13,7 +14,16 @@ namespace polargrain {
 /// 2^53: every tool that reads a file with it keeps it exact.
 inline constexpr std::int64_t k_largest_seed = 9'007'199'254'740'992;
 
-/// What the command line lays over a scenario file.
+/// More threads than any machine has; each costs memory.
+inline constexpr int k_most_threads = 1024;
+
+/// A value that something else than --set lays over a scenario.
+struct LaidValue {
+    std::string text;     ///< "key.path=value", as after --set
+    SourceLocation from;  ///< what is to blame for it: a place in a sweep file, or another option as its `file`
+};
+
+/// What the command line, or a sweep, lays over a scenario file.
 struct ScenarioOverrides {
     std::vector<std::string>
         set;  ///< "key.path=value", value in TOML, e.g. "run.duration=2", "walls[0].points=[[0,0],[1,0]]"
@@ -21,6 +31,7 @@ struct ScenarioOverrides {
     std::optional<std::uint64_t> seed = std::nullopt;
     std::optional<int> threads = std::nullopt;
     bool no_frames = false;
+    std::vector<LaidValue> laid = {};  ///< before all others
 };
 
 /// Reads, checks and resolves a scenario; places rows and fills. Throws InputError with file, line, column, key and

@@ -81,6 +81,7 @@ fs::path find_scenario(const std::string& path_or_name) {
     if (bare && shipped && (path_or_name == name || path_or_name == name + k_extension)) {
         return scenario_folder() / (name + k_extension);
     }
+    require(!fs::is_directory(path_or_name, status), "{}: is a folder; name a scenario file in it", path_or_name);
     const std::string nearest = nearest_name(fs::path(path_or_name).stem().string(), names);
     throw InputError(fmt::format("{}: there is no such scenario file; {}", path_or_name,
                                  nearest.empty() ? fmt::format("shipped are {}", fmt::join(names, ", "))

@@ -16,15 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t k_most_runs = 100'000;
+constexpr std::int64_t k_most_runs = 100'000;
 
 /// A parsed sweep file that knows where everything stands in it.
 class SweepFile {
 public:
     explicit SweepFile(const fs::path& path) : path_(path) {
+        std::error_code status;
+        require(!fs::is_directory(path, status), "{}: is a folder; name a sweep file in it", path.string());
+        require(fs::is_regular_file(path, status),
+                "{}: there is no such sweep file; docs/sweep.md explains how to write one", path.string());
         std::ifstream file(path, std::ios::binary);
-        require(!fs::is_directory(path), "{}: is a folder; name a sweep file in it", path.string());
-        require(file.good(), "{}: there is no such sweep file; docs/sweep.md explains how to write one", path.string());
+        require(file.good(), "{}: cannot be read; check its permissions", path.string());
         text_.assign(std::istreambuf_iterator<char>(file), {});
         try {
             root_ = toml::parse(text_, path.string());
@@ -37,9 +40,13 @@ public:
     const toml::table& root() const { return root_; }
     fs::path folder() const { return path_.parent_path(); }
 
+    SourceLocation place(const toml::source_region& source) const {
+        return {path_.string(), static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+    }
+    SweepPlan::Value value(const toml::node& node) const { return {toml_text(node), place(node.source())}; }
+
     [[noreturn]] void fail(const toml::source_region& source, const std::string& message) const {
-        throw InputError({path_.string(), static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)},
-                         message);
+        throw InputError(place(source), message);
     }
     [[noreturn]] void fail(const std::string& message) const { throw InputError({path_.string(), 0, 0}, message); }
 
@@ -105,40 +112,44 @@ fs::path scenario_of(const SweepFile& file) {
     }
 }
 
-std::vector<std::uint64_t> seeds_of(const SweepFile& file) {
+std::vector<SweepPlan::Value> seeds_of(const SweepFile& file) {
     const toml::node* node = file.root().get("seeds");
-    std::vector<std::uint64_t> seeds;
+    std::vector<SweepPlan::Value> seeds;
     if (node == nullptr) return seeds;
     const auto number = [&file](const toml::node& value) {
         const auto seed = value.value<std::int64_t>();
         if (!value.is_integer() || *seed < 0) {
             file.fail(value.source(), "seeds: must be whole numbers from 0 up, as in [1, 2, 3], or how many, as in 3");
         }
-        return static_cast<std::uint64_t>(*seed);
+        return *seed;
     };
     if (const toml::array* values = node->as_array()) {
-        for (const toml::node& value : *values) seeds.push_back(number(value));
+        for (const toml::node& value : *values) {
+            seeds.push_back({std::to_string(number(value)), file.place(value.source())});
+        }
     } else {
-        const std::uint64_t count = number(*node);
+        const std::int64_t count = number(*node);
         if (count > k_most_runs) {
             file.fail(node->source(),
                       fmt::format("seeds: {} are more than the {} runs that a sweep can have; in [ ] it "
                                   "would be one seed",
                                   count, k_most_runs));
         }
-        for (std::uint64_t seed = 1; seed <= count; ++seed) seeds.push_back(seed);
+        for (std::int64_t seed = 1; seed <= count; ++seed) {
+            seeds.push_back({std::to_string(seed), file.place(node->source())});
+        }
     }
     if (seeds.empty()) file.fail(node->source(), "seeds: are none; leave the key out for the scenario's own");
     return seeds;
 }
 
-std::vector<std::string> engines_of(const SweepFile& file) {
-    std::vector<std::string> engines;
+std::vector<SweepPlan::Value> engines_of(const SweepFile& file) {
+    std::vector<SweepPlan::Value> engines;
     const toml::node* node = file.root().get("engines");
     if (node == nullptr) return engines;
     for (const toml::node& value : *filled_array(file, "engines", *node)) {
         if (!value.is_string()) file.fail(value.source(), R"(engines: must be names, as in ["contact", "dem"])");
-        engines.push_back(value.value_or(std::string()));
+        engines.push_back(file.value(value));
     }
     return engines;
 }
@@ -188,15 +199,15 @@ SweepPlan load_sweep(const fs::path& path) {
     plan.seeds = seeds_of(file);
     plan.frames = flag_of(file, "frames", false);
     if (const toml::table* set = table_of(file, "set")) {
-        for_each_setting(file, *set, "", [&plan](const std::string& key, const toml::node& value) {
-            plan.set.push_back(key + "=" + toml_text(value));
+        for_each_setting(file, *set, "", [&](const std::string& key, const toml::node& value) {
+            plan.set.push_back({key + "=" + toml_text(value), file.place(value.source())});
         });
     }
     if (const toml::table* vary = table_of(file, "vary")) {
         for_each_setting(file, *vary, "", [&](const std::string& key, const toml::node& values) {
             SweepPlan::Parameter parameter{key, {}};
             for (const toml::node& value : *filled_array(file, key, values)) {
-                parameter.values.push_back(toml_text(value));
+                parameter.values.push_back(file.value(value));
             }
             plan.parameters.push_back(std::move(parameter));
         });
@@ -207,27 +218,24 @@ SweepPlan load_sweep(const fs::path& path) {
 
 std::vector<SweepRun> sweep_runs(const SweepPlan& plan) {
     std::vector<SweepRun> runs(1);
-    runs[0].overrides.set = plan.set;
+    runs[0].overrides.laid = plan.set;
     runs[0].overrides.no_frames = !plan.frames;
-    const auto multiply = [&runs](const auto& values, auto put) {
+    const auto multiply = [&runs](const std::string& key, const std::vector<SweepPlan::Value>& values) {
         if (values.empty()) return;
         std::vector<SweepRun> more;
         for (const SweepRun& run : runs) {
-            for (const auto& value : values) {
+            for (const SweepPlan::Value& value : values) {
                 more.push_back(run);
-                put(more.back(), value);
+                more.back().overrides.laid.push_back({key + "=" + value.text, value.from});
+                more.back().values.push_back(value.text);
             }
         }
         runs = std::move(more);
     };
-    for (const SweepPlan::Parameter& parameter : plan.parameters) {
-        multiply(parameter.values, [&parameter](SweepRun& run, const std::string& value) {
-            run.values.push_back(value);
-            run.overrides.set.push_back(parameter.key + "=" + value);
-        });
-    }
-    multiply(plan.engines, [](SweepRun& run, const std::string& engine) { run.overrides.engine = engine; });
-    multiply(plan.seeds, [](SweepRun& run, std::uint64_t seed) { run.overrides.seed = seed; });
+    for (const SweepPlan::Parameter& parameter : plan.parameters) multiply(parameter.key, parameter.values);
+    multiply("run.engine", plan.engines);
+    multiply("run.seed", plan.seeds);
+    for (SweepRun& run : runs) run.values.resize(plan.parameters.size());
     return runs;
 }
 

@@ -11,18 +11,22 @@ namespace polargrain {
 
 /// Many runs of one scenario: each value of each parameter with each of the others, with each engine and seed.
 struct SweepPlan {
+    struct Value {
+        std::string text;     ///< TOML
+        SourceLocation from;  ///< where it stands in the file
+    };
     struct Parameter {
-        std::string key;                  ///< as after --set: "walls[0].points"
-        std::vector<std::string> values;  ///< TOML text
+        std::string key;  ///< as after --set: "walls[0].points"
+        std::vector<Value> values;
     };
 
     std::string title;
     std::string text;                   ///< of the file itself
     std::filesystem::path scenario;     ///< file
-    std::vector<std::string> set;       ///< "key=value", laid over every run
+    std::vector<LaidValue> set;         ///< laid over every run
     std::vector<Parameter> parameters;  ///< by key
-    std::vector<std::string> engines;   ///< empty: the scenario's own
-    std::vector<std::uint64_t> seeds;   ///< empty: the scenario's own
+    std::vector<Value> engines;         ///< empty: the scenario's own
+    std::vector<Value> seeds;           ///< empty: the scenario's own
     bool frames = false;                ///< draw the scenario's frames
 };
 

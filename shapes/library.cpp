@@ -39,7 +39,8 @@ public:
         return {.name = fs::path(path_).stem().string(),
                 .title = text("title"),
                 .source = text("source"),
-                .points = points()};
+                .points = points(),
+                .file = path_};
     }
 
 private:

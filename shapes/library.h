@@ -14,6 +14,7 @@ struct OutlineFile {
     std::string title;   ///< one line for lists
     std::string source;  ///< where the outline comes from
     std::vector<Vec2> points;
+    std::string file;  ///< where it was read
 };
 
 /// Reads an outline file: TOML with title, source, unit ("m", the default, "cm", "mm" or "um") and one of

@@ -27,6 +27,7 @@ struct RunRequest {
     bool brief = false;                  ///< show progress, but neither plan nor summary
     std::string program = "polargrain";  ///< as it was called
     std::string command_line;            ///< for messages that say how to repeat the run
+    std::string repeat_line;             ///< where it is part of something: the command that does all of that again
 };
 int run_command(const RunRequest& request);
 

@@ -43,6 +43,7 @@ public:
                 "--engines: an engine is named twice; name each once");
         require(engines_.size() >= 2, "--engines: names one engine only; a comparison needs two at least");
         for (const std::string& engine : engines_) first_runs_.push_back(prepare(engine, {}));
+        require_seeds(first_runs_.front().scenario, request.seeds + 1);  // one more, to see what a seed changes
         varies_ = !seed_matters();
         plan_clock();
     }
@@ -172,7 +173,7 @@ void CompareSession::draw(const Comparison& comparison, const fs::path& folder) 
                                                 static_cast<int>(engines_.size()));
     std::size_t count = comparison.tracks[0][0].moments.size();
     for (const auto& tracks : comparison.tracks) count = std::min(count, tracks[0].moments.size());
-    fs::create_directories(folder / "frames");
+    make_folder(folder / "frames");
     std::unique_ptr<Movie> movie;
     if (can_make_movies()) {
         movie = std::make_unique<Movie>(folder / "movie.mp4", style, k_movie_rate);
@@ -192,17 +193,29 @@ void CompareSession::draw(const Comparison& comparison, const fs::path& folder) 
     if (movie) movie->finish();
 }
 
+/// The folder of a comparison, kept from before the first run; where nothing comes of it, an empty one goes again.
+class ClaimedFolder {
+public:
+    ClaimedFolder(const fs::path& folder, bool force) : folder_(folder), lock_(claim_run_folder(folder, force)) {}
+    ~ClaimedFolder() { remove_if_empty(folder_); }
+    ClaimedFolder(const ClaimedFolder&) = delete;
+    ClaimedFolder& operator=(const ClaimedFolder&) = delete;
+
+private:
+    fs::path folder_;
+    FolderLock lock_;
+};
+
 }  // namespace
 
 int compare_command(const CompareRequest& request) {
     CompareSession session(request);
     const fs::path folder = request.folder.value_or(fs::path("out") / ("compare-" + session.file().stem().string()));
-    check_run_folder(folder, request.force);
     require_plotting();
+    const ClaimedFolder claimed(folder, request.force);
     watch_interrupts();
     try {
         const Comparison comparison = session.run();
-        make_run_folder(folder);
         clear_run_folder(folder);
         const std::string report = report_text(comparison);
         TextFile file(folder / "report.md");

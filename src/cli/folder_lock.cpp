@@ -25,6 +25,15 @@ bool FolderLock::is_free(const std::filesystem::path& folder) {
     return free;
 }
 
-FolderLock::~FolderLock() { close(folder_); }
+void FolderLock::require_finished(const std::filesystem::path& folder) {
+    require(is_free(folder),
+            "{0}: the run in this folder is in progress, and its trajectory.h5 is being written; wait for its end, or "
+            "stop it with Ctrl-C and carry it on later: polargrain resume {0}",
+            folder.string());
+}
+
+FolderLock::~FolderLock() {
+    if (folder_ >= 0) close(folder_);
+}
 
 }  // namespace polargrain

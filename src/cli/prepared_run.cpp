@@ -22,4 +22,11 @@ PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& ov
     }
 }
 
+void require_seeds(const Scenario& scenario, int seeds) {
+    const auto first = static_cast<std::int64_t>(scenario.scene.seed);
+    require(first <= k_largest_seed - (seeds - 1),
+            "--seeds {}: there are not so many from run.seed = {} on; begin below {}", seeds, first,
+            k_largest_seed - (seeds - 1));
+}
+
 }  // namespace polargrain

@@ -27,4 +27,7 @@ struct PreparedRun {
 /// file. No side effects.
 PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& overrides);
 
+/// InputError where there are not so many seeds from that of the scenario on.
+void require_seeds(const Scenario& scenario, int seeds);
+
 }  // namespace polargrain

@@ -1,18 +1,23 @@
 #include "src/cli/program.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
+#include <limits>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "src/cli/commands.h"
 #include "src/cli/messages.h"
+#include "src/cli/option_checks.h"
 #include "src/cli/shell_words.h"
 #include "src/core/build_info.h"
 #include "src/core/error.h"
@@ -34,14 +39,6 @@ std::string command_line(std::span<const char* const> words) {
     return line;
 }
 
-/// What is wrong with a seed, nothing where it is one.
-std::string seed_problem(const std::string& word) {
-    std::int64_t seed = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
-    if (error == std::errc{} && end == word.data() + word.size() && seed >= 0 && seed <= k_largest_seed) return "";
-    return fmt::format("{} is no seed; give a whole number from 0 to {}", word, k_largest_seed);
-}
-
 void add_overrides(CLI::App& command, ScenarioOverrides& overrides) {
     command.add_option("--set", overrides.set, "lay a value over the file, e.g. run.duration=2 (may be repeated)")
         ->type_name("KEY.PATH=VALUE")
@@ -49,10 +46,10 @@ void add_overrides(CLI::App& command, ScenarioOverrides& overrides) {
     command.add_option("--engine", overrides.engine, "engine in place of run.engine")->type_name("NAME");
     command.add_option("--seed", overrides.seed, "random seed in place of run.seed")
         ->type_name("N")
-        ->check(seed_problem, "", "");
+        ->check(whole_number("seed", 0, k_largest_seed), "", "");
     command.add_option("--threads", overrides.threads, "threads in place of run.threads")
         ->type_name("N")
-        ->check(CLI::PositiveNumber);
+        ->check(whole_number("number of threads", 1, k_most_threads), "", "");
 }
 
 using Action = std::function<int()>;
@@ -81,7 +78,7 @@ void add_resume(CLI::App& app, ResumeRequest& request, Action& action) {
     command->add_option("DIR", request.folder, "run folder")->required();
     command->add_option("--until", request.until, "simulated time to run to [s], in place of run.duration")
         ->type_name("T")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero("time to run to"), "", "");
     command->add_flag("--quiet", request.quiet, "print nothing but errors");
     command->footer(
         "Examples:\n"
@@ -104,17 +101,19 @@ void add_render(CLI::App& app, RenderRequest& request, Action& action) {
         ->type_name("by=WHAT");
     command->add_option("--colour-max", request.colour_max, "upper end of the colour scale, SI units")
         ->type_name("VALUE")
-        ->check(CLI::PositiveNumber);
+        ->check(number_between("end of a colour scale", 1e-9, 1e9), "", "");
     command->add_flag("--contacts", request.contacts, "draw contact points and impulses too");
     command->add_option("--every", request.every, "take each N-th stored frame")
         ->type_name("N")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--from", request.from, "first time to draw [s]")->type_name("T");
-    command->add_option("--to", request.to, "last time to draw [s]")->type_name("T");
+        ->check(whole_number("number of frames", 1, std::numeric_limits<int>::max()), "", "");
+    command->add_option("--from", request.from, "first time to draw [s]")
+        ->type_name("T")
+        ->check(any_number("time"), "", "");
+    command->add_option("--to", request.to, "last time to draw [s]")->type_name("T")->check(any_number("time"), "", "");
     command->add_option("--size", request.size, "width and height in pixels, as 1280x720")->type_name("WxH");
     command->add_option("--fps", request.frames_per_second, "frames per second of a movie, default 25")
         ->type_name("N")
-        ->check(CLI::Range(0.1, 240.0));
+        ->check(number_between("number of frames per second", 0.1, 240.0), "", "");
     command->add_flag("--force", request.force, "replace what is there");
     command->add_flag("--quiet", request.quiet, "print nothing but errors");
     command->footer(
@@ -273,6 +272,16 @@ std::vector<std::string> command_names(const CLI::App& app) {
     return names;
 }
 
+/// No option of any command takes an empty word: it comes from a variable of a script that is not set.
+void refuse_empty_words(CLI::App& app) {
+    const auto problem = [](const std::string& word) { return word.empty() ? "is empty; give a name or a value" : ""; };
+    for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+        for (CLI::Option* option : command->get_options()) {
+            if (option->get_type_size() > 0) option->check(problem, "", "");
+        }
+    }
+}
+
 /// "; did you mean X?" for the nearest known command or option, or nothing.
 std::string hint_for(const CLI::App& app) {
     std::vector<std::string> known = command_names(app);
@@ -304,9 +313,24 @@ int run_action(const Action& action) {
     } catch (const InputError& error) {
         tell("error: {}\n", error.what());
         return k_exit_wrong_input;
+    } catch (const std::filesystem::filesystem_error& error) {
+        tell("error: {}: {}; see whether it is there, and whether you may use it\n", error.path1().string(),
+             error.code().message());
+        return k_exit_failed;
+    } catch (const std::bad_alloc&) {
+        tell("error: there is not enough memory for this; make the scene or the picture smaller\n");
+        return k_exit_failed;
     } catch (const std::exception& error) {
         tell("error: {}\n", error.what());
         return k_exit_failed;
+    }
+}
+
+/// A standard stream that is closed would become the next file that is opened, and what is printed would go into that.
+/// For reading only: writing fails as before.
+void occupy_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDONLY);
     }
 }
 
@@ -356,6 +380,7 @@ int parse_and_run(int argc, const char* const* argv) {
     add_list(app, what, action);
     add_sheet(app, sheet, action);
     add_reproduce(app, reproduce, action);
+    refuse_empty_words(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -368,6 +393,9 @@ int parse_and_run(int argc, const char* const* argv) {
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv) { return after_output(parse_and_run(argc, argv)); }
+int run_program(int argc, const char* const* argv) {
+    occupy_standard_streams();
+    return after_output(parse_and_run(argc, argv));
+}
 
 }  // namespace polargrain

@@ -9,6 +9,7 @@
 #include "render/movie.h"
 #include "scenarios/reader.h"
 #include "src/cli/commands.h"
+#include "src/cli/folder_lock.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/run_folder.h"
 #include "src/core/error.h"
@@ -120,7 +121,7 @@ public:
         : folder_(std::move(folder)),
           format_(std::move(format)),
           style_(std::move(style)),
-          index_((fs::create_directories(folder_), folder_ / "index.csv")) {
+          index_((make_folder(folder_), folder_ / "index.csv")) {
         index_.write("file,time,step\n");
     }
     void add(const Picture& picture, std::int64_t step) override {
@@ -158,6 +159,7 @@ std::unique_ptr<Output> open_output(const RenderRequest& request, const fs::path
 int render_command(const RenderRequest& request) {
     require(fs::is_directory(request.folder), "{}: no such run folder; give the folder that polargrain run has made",
             request.folder.string());
+    FolderLock::require_finished(request.folder);
     const TrajectoryReader recording(request.folder / "trajectory.h5");
     const Drawing drawing = drawing_of(request, recording);
     const FrameStyle style =

@@ -41,7 +41,7 @@ void print_where(const RunSession& session, const std::optional<LabelledCheckpoi
 }  // namespace
 
 int resume_command(const ResumeRequest& request) {
-    const RunSession session{request.folder, request.program, request.quiet};
+    const RunSession session{.folder = request.folder, .program = request.program, .quiet = request.quiet};
     require(fs::is_regular_file(session.scenario_file()),
             "{}: is no run folder, there is no scenario.toml in it; give a folder that polargrain run has made",
             request.folder.string());
@@ -52,7 +52,8 @@ int resume_command(const ResumeRequest& request) {
         require(!saved || *request.until >= time_reached(*saved),
                 "--until {}: the run is at t = {} s already; give a later time", *request.until,
                 saved ? time_reached(*saved) : 0.0);
-        overrides.set.push_back(fmt::format("run.duration={:.17g}", *request.until));
+        overrides.laid.push_back(
+            {fmt::format("run.duration={:.17g}", *request.until), {fmt::format("--until {}", *request.until)}});
     }
     PreparedRun run = prepare_run(session.scenario_file().string(), overrides);
     if (!request.quiet) print_where(session, saved, run.scenario.run.duration);
@@ -61,8 +62,7 @@ int resume_command(const ResumeRequest& request) {
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {
-        throw RunError(
-            fmt::format("{}\nto carry the run on from its last checkpoint: {}", error.what(), session.resume_line()));
+        throw RunError(fmt::format("{}\n{}", error.what(), session.way_on()));
     }
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "src/cli/commands.h"
-#include "src/cli/folder_lock.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_folder.h"
 #include "src/cli/run_report.h"
@@ -19,22 +18,19 @@ int run_command(const RunRequest& request) {
     warn_of_large_step(run.time_step);
     if (!request.quiet && !request.brief) print_plan(run.scenario, run.time_step, run.notes);
 
-    make_run_folder(folder);
-    const FolderLock lock(folder);
-    check_run_folder(folder, request.force);  // another run may have begun and ended in it by now
+    const FolderLock lock = claim_run_folder(folder, request.force);
     clear_run_folder(folder);
-    const RunSession session{folder, request.program, request.quiet, request.brief};
+    const RunSession session{folder, request.program, request.quiet, request.brief, request.repeat_line};
     try {
         return run_session(session, lock, run);
     } catch (const InputError& error) {
         discard_run_folder(folder);
         throw InputError(SourceLocation{.file = run.file.string(), .line = 0, .column = 0}, error.what());
     } catch (const std::exception& error) {
-        throw RunError(
-            fmt::format("{}\nwhat was written before is in {}\nto carry the run on from its last checkpoint: {}\n"
-                        "to repeat it: {}{}",
-                        error.what(), folder.string(), session.resume_line(), request.command_line,
-                        request.force ? "" : " --force"));
+        if (!request.repeat_line.empty()) throw RunError(fmt::format("{}\n{}", error.what(), session.way_on()));
+        throw RunError(fmt::format("{}\nwhat was written before is in {}\n{}\nto repeat it: {}{}", error.what(),
+                                   folder.string(), session.way_on(), request.command_line,
+                                   request.force ? "" : " --force"));
     }
 }
 

@@ -1,11 +1,14 @@
 #include "src/cli/run_folder.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "src/core/error.h"
+#include "src/record/text_file.h"
 
 namespace polargrain {
 
@@ -31,10 +34,13 @@ void remove_run_files(const fs::path& folder) {
     const fs::path frames = folder / "frames";
     if (!fs::is_directory(frames)) return;
     remove_frames(frames);
-    if (fs::is_empty(frames)) fs::remove(frames);
+    remove_if_empty(frames);
 }
 
 }  // namespace
+
+// Refuses by itself where something is in it; a link to a folder is left alone too.
+void remove_if_empty(const fs::path& folder) { rmdir(folder.c_str()); }
 
 void remove_frames(const fs::path& frames) {
     std::vector<fs::path> drawn;
@@ -51,10 +57,12 @@ void check_run_folder(const fs::path& folder, bool force) {
             "{}: the folder is not empty; give another with -o, or --force to replace the run in it", folder.string());
 }
 
-void make_run_folder(const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) throw RunError(fmt::format("cannot make the run folder {}: {}", folder.string(), failed.message()));
+FolderLock claim_run_folder(const fs::path& folder, bool force) {
+    check_run_folder(folder, force);
+    make_folder(folder);
+    FolderLock lock(folder);
+    check_run_folder(folder, force);  // another run may have begun and ended in it by now
+    return lock;
 }
 
 void clear_run_folder(const fs::path& folder) {
@@ -67,7 +75,7 @@ void clear_run_folder(const fs::path& folder) {
 
 void discard_run_folder(const fs::path& folder) {
     remove_run_files(folder);
-    if (fs::is_empty(folder)) fs::remove(folder);
+    remove_if_empty(folder);
 }
 
 }  // namespace polargrain

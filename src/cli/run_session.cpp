@@ -234,17 +234,21 @@ RunCost Session::cost() const {
 }
 
 int Session::report_interrupt(const std::string& where) const {
-    tell(
-        "interrupted {}; a checkpoint has been written, and what was computed so far is in {}\n"
-        "to carry the run on: {}\n",
-        where, session_.folder.string(), session_.resume_line());
+    tell("interrupted {}; {}{}\n", where,
+         session_.repeat_line.empty()
+             ? fmt::format("a checkpoint has been written, and what was computed so far is in {}\n",
+                           session_.folder.string())
+             : "",
+         session_.way_on());
     return k_exit_interrupted;
 }
 
 }  // namespace
 
-std::string RunSession::resume_line() const {
-    return shell_quoted(program) + " resume " + shell_quoted(folder.string());
+std::string RunSession::way_on() const {
+    if (!repeat_line.empty()) return "to do it again from the beginning: " + repeat_line;
+    return "to carry the run on from its last checkpoint: " + shell_quoted(program) + " resume " +
+           shell_quoted(folder.string());
 }
 
 std::string scenario_fingerprint(const std::string& resolved_toml) {

@@ -14,12 +14,13 @@ struct RunSession {
     std::filesystem::path folder;
     std::string program = "polargrain";  ///< as it was called, for messages that say how to go on
     bool quiet = false;
-    bool brief = false;  ///< show progress, but no summary
+    bool brief = false;            ///< show progress, but no summary
+    std::string repeat_line = {};  ///< command that does all of it again, where resuming would not do; empty: it will
 
     std::filesystem::path scenario_file() const { return folder / "scenario.toml"; }
     std::filesystem::path checkpoint_file() const { return folder / "checkpoint.h5"; }
-    /// The command that carries the run on.
-    std::string resume_line() const;
+    /// How to go on after an interruption: a phrase and the command.
+    std::string way_on() const;
 };
 
 /// Fingerprint of a resolved scenario, whatever its duration: that may change between a run and its continuation.

@@ -22,6 +22,14 @@ bool convex(const PolarPolygon& polygon) {
     return true;
 }
 
+PolarPolygon grain_of(const OutlineFile& outline) {
+    try {
+        return prepare_outline(outline.name, outline.points);
+    } catch (const InputError& error) {
+        throw InputError(SourceLocation{.file = outline.file, .line = 0, .column = 0}, error.what());
+    }
+}
+
 void print_properties(const OutlineFile& outline, const PolarPolygon& polygon) {
     const Vec2 centroid = mass_properties(outline.name, outline.points).centroid;
     const double area = polygon.area();
@@ -44,7 +52,7 @@ void print_properties(const OutlineFile& outline, const PolarPolygon& polygon) {
 
 int shape_command(const ShapeRequest& request) {
     const OutlineFile outline = find_outline(request.shape, std::filesystem::current_path());
-    const PolarPolygon polygon = prepare_outline(outline.name, outline.points);
+    const PolarPolygon polygon = grain_of(outline);
     if (request.picture) {
         require(request.force || !std::filesystem::exists(*request.picture),
                 "{}: is there already; give another name with -o, or --force to replace it", request.picture->string());

@@ -2,6 +2,7 @@
 
 #include "render/contact_sheet.h"
 #include "src/cli/commands.h"
+#include "src/cli/folder_lock.h"
 #include "src/core/error.h"
 
 namespace polargrain {
@@ -20,6 +21,7 @@ int sheet_command(const SheetRequest& request) {
     if (fs::exists(frames / "000000.png")) {
         contact_sheet(frames, sheet, settings);
     } else {
+        FolderLock::require_finished(request.folder);
         const TrajectoryReader recording(request.folder / "trajectory.h5");
         contact_sheet(recording, make_frame_style({}, recording.scene(), recording.title()), sheet, settings);
     }

@@ -52,10 +52,18 @@ struct Job {
     bool begun() const { return content_of(folder / "scenario.toml") == scenario; }
     /// Whether its folder holds a run of another scenario.
     bool of_another() const { return fs::exists(folder / "scenario.toml") && !begun(); }
-    bool completed() const {
-        const Json summary = Json::parse(content_of(folder / "summary.json"), nullptr, false);
-        return begun() && summary.is_object() && !summary.value("interrupted", true);
+    /// An empty object where there is none yet, or one that is damaged.
+    Json summary() const {
+        Json found = Json::parse(content_of(folder / "summary.json"), nullptr, false);
+        const auto has = [&found](const char* key, Json::value_t type) {
+            return found.contains(key) && found[key].type() == type;
+        };
+        const bool whole = found.is_object() && has("interrupted", Json::value_t::boolean) &&
+                           has("observables", Json::value_t::object) && has("engine", Json::value_t::string) &&
+                           has("state_hash", Json::value_t::string);
+        return whole ? found : Json::object();
     }
+    bool completed() const { return begun() && !summary().value("interrupted", true); }
 };
 
 std::vector<Job> jobs_of(const SweepPlan& plan, const fs::path& folder) {
@@ -78,9 +86,7 @@ std::vector<std::string> words_for(const Job& job, const SweepPlan& plan) {
     const ScenarioOverrides& overrides = job.run.overrides;
     std::vector<std::string> words{program,   "run",    plan.scenario.string(), "-o", job.folder.string(),
                                    "--quiet", "--force"};
-    for (const std::string& set : overrides.set) words.insert(words.end(), {"--set", set});
-    if (overrides.engine) words.insert(words.end(), {"--engine", *overrides.engine});
-    if (overrides.seed) words.insert(words.end(), {"--seed", std::to_string(*overrides.seed)});
+    for (const LaidValue& value : overrides.laid) words.insert(words.end(), {"--set", value.text});
     if (overrides.no_frames) words.emplace_back("--no-frames");
     return words;
 }
@@ -169,7 +175,7 @@ std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
     std::vector<Json> summaries;
     std::set<std::string> observables;
     for (const Job& job : jobs) {
-        summaries.push_back(job.done ? Json::parse(content_of(job.folder / "summary.json")) : Json::object());
+        summaries.push_back(job.done ? job.summary() : Json::object());
         const Json values = summaries.back().value("observables", Json::object());
         for (auto entry = values.begin(); entry != values.end(); ++entry) observables.insert(entry.key());
     }
@@ -213,12 +219,6 @@ void check_folder(const SweepRequest& request, const fs::path& folder, const Swe
                 "or --force to replace the runs in this one",
                 plan.scenario.string(), job.folder.string());
     }
-}
-
-void make_folder(const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) throw RunError(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
 }
 
 /// Takes the folder, which is locked, for this sweep, or takes up the sweep that is in it.

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <set>
+#include <system_error>
 #include <vector>
 
 #include "src/cli/commands.h"
-#include "src/cli/messages.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_folder.h"
 #include "src/cli/verification.h"
@@ -19,12 +21,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// A new folder in the one that the system has for what need not be kept.
+fs::path temporary_folder() {
+    std::error_code failed;
+    std::string made = (fs::temp_directory_path(failed) / "polargrain-verify-XXXXXX").string();
+    if (!failed && mkdtemp(made.data()) == nullptr) failed = {errno, std::generic_category()};
+    if (!failed) return made;
+    const char* given = std::getenv("TMPDIR");
+    throw InputError(fmt::format(
+        "cannot make a folder for the runs in the temporary one, {}: {}; set TMPDIR to a folder in which you "
+        "may write, or keep the runs with -o DIR",
+        given != nullptr ? fmt::format("TMPDIR={}", given) : "/tmp", failed.message()));
+}
+
 /// Where the run folders go: the given place, or one that is gone in the end.
 class RunPlace {
 public:
     explicit RunPlace(const std::optional<fs::path>& given)
-        : path_(given ? *given : fs::temp_directory_path() / fmt::format("polargrain-verify-{}", getpid())),
-          kept_(given.has_value()) {}
+        : path_(given ? *given : temporary_folder()), kept_(given.has_value()) {}
     ~RunPlace() {
         std::error_code ignored;
         if (!kept_) fs::remove_all(path_, ignored);
@@ -52,6 +66,7 @@ std::vector<Task> read_tasks(const VerifyRequest& request) {
     std::set<std::string> names;
     for (const std::string& given : request.scenarios) {
         PreparedRun run = prepare_run(given, request.overrides);
+        require_seeds(run.scenario, request.seeds);
         if (run.scenario.expectations.empty()) {
             throw InputError(SourceLocation{.file = run.file.string(), .line = 0, .column = 0},
                              "has no [[expect]] entries, so there is nothing to verify; say what a correct run shows, "
@@ -85,7 +100,8 @@ int run_once(const VerifyRequest& request, const Task& task, int k, const RunPla
     run.force = request.force;
     run.quiet = request.quiet;
     run.brief = true;
-    run.command_line = request.command_line;
+    // Resuming one run would verify nothing.
+    run.repeat_line = request.command_line + (place.kept() && !request.force ? " --force" : "");
     return run_command(run);
 }
 
@@ -113,10 +129,7 @@ int verify_command(const VerifyRequest& request) {
             }
             std::fflush(stdout);
             const int ended = run_once(request, task, k, place);
-            if (ended != k_exit_done) {
-                if (!place.kept()) tell("that folder was a temporary one; -o DIR keeps the runs\n");
-                return ended;
-            }
+            if (ended != k_exit_done) return ended;
             add_run(verification, task.scenario, folder_of(place, request, task, k) / "summary.json");
         }
         fmt::print("{}", verification_table(verification));

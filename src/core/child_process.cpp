@@ -71,8 +71,6 @@ int ChildProcess::wait() {
     return *exit_code_;
 }
 
-void ChildProcess::interrupt() const { interrupt(SIGINT); }
-
 void ChildProcess::interrupt(int signal) const {
     if (!exit_code_) kill(pid_, signal);
 }

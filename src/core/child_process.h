@@ -26,8 +26,7 @@ public:
     std::optional<int> poll();
     /// Waits for its end.
     int wait();
-    /// Asks it to end, as Ctrl-C would, or by another signal.
-    void interrupt() const;
+    /// Asks it to end by a signal.
     void interrupt(int signal) const;
 
 private:

@@ -117,7 +117,8 @@ void write_checkpoint(const fs::path& path, const LabelledCheckpoint& checkpoint
 }
 
 LabelledCheckpoint read_checkpoint(const fs::path& path) {
-    require(fs::is_regular_file(path), "{}: there is no checkpoint", path.string());
+    require(fs::exists(path), "{}: there is no checkpoint", path.string());
+    require_readable(path);
     check_file(path);
     try {
         LabelledCheckpoint checkpoint;

@@ -22,6 +22,15 @@ herr_t keep_description(unsigned /*level*/, const H5E_error2_t* error, void* tex
     return 0;
 }
 
+/// The system's own words, where the library has put them among numbers of its own.
+std::string in_short(const std::string& reason) {
+    const std::string before = "error message = '";
+    const std::size_t at = reason.find(before);
+    if (at == std::string::npos) return reason;
+    const std::size_t from = at + before.size();
+    return reason.substr(from, reason.find('\'', from) - from);
+}
+
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "create a property list"}; }
 
 Handle untimed(hid_t kind) {
@@ -64,6 +73,22 @@ std::size_t product(const Size& size) {
     return static_cast<std::size_t>(std::accumulate(size.begin(), size.end(), hsize_t{1}, std::multiplies<>()));
 }
 
+/// How many numbers there are to be read, in a file that may be damaged: no compression makes a thousandth of anything.
+template <typename T>
+std::size_t believable_product(hid_t object, const Size& size, const std::string& name) {
+    const Handle file(H5Iget_file_id(object), H5Fclose, "read " + name);
+    hsize_t bytes = 0;
+    check(H5Fget_filesize(file.id(), &bytes), "read " + name);
+    constexpr hsize_t most_packed = 2000;
+    const auto most = static_cast<double>(most_packed * bytes);
+    double claimed = sizeof(T);
+    for (const hsize_t n : size) claimed *= static_cast<double>(n);
+    if (claimed > most) {
+        throw Failure(fmt::format("cannot read {}: it claims {:.3g} bytes in a file of {}", name, claimed, bytes));
+    }
+    return product(size);
+}
+
 Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose, "describe an extent"}; }
 
 Handle open_dataset(hid_t parent, const std::string& name) {
@@ -90,7 +115,7 @@ void check(std::int64_t result, const std::string& doing) {
     if (result >= 0) return;
     std::string reason;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_description, &reason);
-    throw Failure(fmt::format("cannot {}: {}", doing, reason));
+    throw Failure(fmt::format("cannot {}: {}", doing, in_short(reason)));
 }
 
 Handle::Handle(hid_t id, Close closer, const std::string& doing) : id_(id), close_(closer) { check(id, doing); }
@@ -175,6 +200,12 @@ void put_texts(hid_t object, const std::string& name, const std::vector<std::str
 
 std::string text(hid_t object, const std::string& name) {
     const Handle attribute = open_attribute(object, name);
+    const Handle stored(H5Aget_type(attribute.id()), H5Tclose, "read attribute " + name);
+    const Handle space(H5Aget_space(attribute.id()), H5Sclose, "read attribute " + name);
+    // Room is made for one text, whose length the library finds.
+    if (H5Tis_variable_str(stored.id()) <= 0 || product(extent(space.id())) != 1) {
+        throw Failure(fmt::format("cannot read attribute {}: it is no text", name));
+    }
     const Handle type = text_type();
     char* value = nullptr;
     check(H5Aread(attribute.id(), type.id(), static_cast<void*>(&value)), "read attribute " + name);
@@ -195,14 +226,16 @@ void put_numbers(hid_t object, const std::string& name, std::span<const T> value
 
 template <typename T>
 T number(hid_t object, const std::string& name) {
-    return numbers<T>(object, name).at(0);
+    const std::vector<T> values = numbers<T>(object, name);
+    if (values.empty()) throw Failure(fmt::format("cannot read attribute {}: it is empty", name));
+    return values[0];
 }
 
 template <typename T>
 std::vector<T> numbers(hid_t object, const std::string& name) {
     const Handle attribute = open_attribute(object, name);
     const Handle space(H5Aget_space(attribute.id()), H5Sclose, "read an extent");
-    std::vector<T> values(product(extent(space.id())));
+    std::vector<T> values(believable_product<T>(object, extent(space.id()), name));
     check(H5Aread(attribute.id(), memory_type<T>(), values.data()), "read attribute " + name);
     return values;
 }
@@ -228,7 +261,7 @@ std::vector<T> data(hid_t parent, const std::string& name, Size* size) {
     const Handle dataset = open_dataset(parent, name);
     const Size found = extent(space_of(dataset).id());
     if (size != nullptr) *size = found;
-    std::vector<T> values(product(found));
+    std::vector<T> values(believable_product<T>(dataset.id(), found, name));
     if (values.empty()) return values;
     check(H5Dread(dataset.id(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
           "read dataset " + name);
@@ -240,13 +273,14 @@ std::vector<T> rows(hid_t parent, const std::string& name, hsize_t first, hsize_
     const Handle dataset = open_dataset(parent, name);
     const Handle space = space_of(dataset);
     Size size = extent(space.id());
-    if (first + count > size.at(0)) {
+    if (size.empty()) throw Failure(fmt::format("cannot read rows of dataset {}: it has none", name));
+    if (first > size[0] || count > size[0] - first) {
         throw Failure(
-            fmt::format("cannot read rows {} to {} of dataset {}: it has {}", first, first + count, name, size[0]));
+            fmt::format("cannot read {} rows from {} on of dataset {}: it has {}", count, first, name, size[0]));
     }
     select_rows(space, size, first, count);
     size[0] = count;
-    std::vector<T> values(product(size));
+    std::vector<T> values(believable_product<T>(dataset.id(), size, name));
     if (values.empty()) return values;
     const Handle memory = simple_space(size);
     check(H5Dread(dataset.id(), memory_type<T>(), memory.id(), space.id(), H5P_DEFAULT, values.data()),

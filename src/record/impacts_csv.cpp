@@ -79,6 +79,9 @@ void ImpactsCsv::step(const World& /*world*/, double /*dt*/, const StepReport& r
 
 void ImpactsCsv::sample(const Sample& /*sample*/) { file_->flush(); }
 
-void ImpactsCsv::end() { file_->close(); }
+void ImpactsCsv::end() {
+    file_->sync();
+    file_->close();
+}
 
 }  // namespace polargrain

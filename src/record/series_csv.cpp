@@ -104,6 +104,9 @@ void SeriesCsv::append_walls(std::string& row) {
     interval_ = 0.0;
 }
 
-void SeriesCsv::end() { file_->close(); }
+void SeriesCsv::end() {
+    file_->sync();
+    file_->close();
+}
 
 }  // namespace polargrain

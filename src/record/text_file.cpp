@@ -92,6 +92,22 @@ void TextFile::fail(const char* doing) const {
     throw RunError(fmt::format("{}: cannot {} the file: {}", path_.string(), doing, reason));
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (!failed && access(folder.c_str(), W_OK | X_OK) != 0) failed = {errno, std::generic_category()};
+    if (!failed) return;
+    throw RunError(fmt::format("{}: cannot make the folder, or write into it: {}; give one in which you may write",
+                               folder.string(), failed.message()));
+}
+
+void require_readable(const std::filesystem::path& path) {
+    std::error_code status;
+    require(std::filesystem::is_regular_file(path, status), "{}: is no file; give the one that a run has written",
+            path.string());
+    require(access(path.c_str(), R_OK) == 0, "{}: cannot be read; check its permissions", path.string());
+}
+
 void sync_file(const std::filesystem::path& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool synced = file >= 0 && fsync(file) == 0;

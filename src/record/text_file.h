@@ -52,7 +52,14 @@ private:
 /// the old one, the new one or absent, never half of one.
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
-/// Waits until the file is on the disk; RunError names it.
+/// Makes the folder and those above it where they are absent. RunError names it where that fails, or where nothing can
+/// be written into it.
+void make_folder(const std::filesystem::path& folder);
+
+/// InputError where there is something else than a file, or one that may not be read.
+void require_readable(const std::filesystem::path& path);
+
+/// Waits until the file, or the names in a folder, are on the disk; RunError names it.
 void sync_file(const std::filesystem::path& path);
 
 /// Puts `part`, which is complete, on the disk and in the place of `path`.

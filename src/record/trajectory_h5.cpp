@@ -185,9 +185,20 @@ public:
     std::uint64_t hash() const { return hash_.value(); }
     std::size_t moving_walls() const { return wall_poses_.size(); }
 
-    void flush() { h5::check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "write the file"); }
+    /// With all that the library has kept back; afterwards there is nothing that could be appended to.
+    void close() {
+        flush();
+        // The library closes a file in earnest when the last thing in it is closed, and tells only that call.
+        contacts_.reset();
+        wall_poses_.clear();
+        for (Growing<double>* growing : {&position_, &angle_, &velocity_, &spin_}) *growing = {};
+        clock_ = {};
+        file_.close("close the file");
+    }
 
 private:
+    void flush() { h5::check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "write the file"); }
+
     void begin_walls(hid_t ours, const Scene& scene) {
         const Handle walls = h5::create_group(ours, layout::k_walls);
         LinkNames names;
@@ -273,8 +284,9 @@ void TrajectoryH5::sample(const Sample& sample) {
 }
 
 void TrajectoryH5::end() {
-    naming_the_file(path_, [&] { file_->flush(); });
+    naming_the_file(path_, [&] { file_->close(); });
     file_.reset();
+    sync_file(path_);
 }
 
 }  // namespace polargrain

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
 
 #include "src/core/error.h"
+#include "src/core/trial.h"
 #include "src/record/h5.h"
+#include "src/record/text_file.h"
+#include "src/record/trajectory_checks.h"
 #include "src/record/trajectory_layout.h"
 
 namespace polargrain {
@@ -27,8 +30,10 @@ std::vector<Handle> by_index(hid_t file, const char* folder) {
     std::vector<Handle> ordered(names.size());
     for (const std::string& name : names) {
         Handle entry = h5::open_group(group.id(), name);
-        const auto index = h5::number<std::int32_t>(entry.id(), "index");
-        ordered.at(static_cast<std::size_t>(index)) = std::move(entry);
+        const auto index = static_cast<std::size_t>(h5::number<std::int32_t>(entry.id(), "index"));
+        expect_whole(index < ordered.size() && ordered[index].id() < 0,
+                     fmt::format("the entries of {} are not numbered through", folder));
+        ordered[index] = std::move(entry);
     }
     return ordered;
 }
@@ -58,6 +63,15 @@ Wall read_wall(hid_t group) {
     return wall;
 }
 
+/// Of processor time, for reading the head: many times what it takes.
+unsigned seconds_for(const std::filesystem::path& path) {
+    std::error_code ignored;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, ignored);
+    return ignored ? 1 : 2 + static_cast<unsigned>(std::min<std::uintmax_t>(bytes / 1'000'000, 1000));
+}
+
+constexpr const char* k_remedy = "run its scenario.toml again, or resume the run where it was not brought to its end";
+
 std::string path_in(const char* folder, const char* name) { return fmt::format("{}/{}", folder, name); }
 
 }  // namespace
@@ -79,7 +93,11 @@ public:
         read_scene(ours.id());
         times = h5::data<double>(file_.id(), path_in(layout::k_grains, "position/time"));
         frames = static_cast<int>(times.size());
-        if (frames > 0) scene.grains = read_frame(0).world.grains;
+        if (frames == 0) return;
+        scene.grains = read_frame(0).world.grains;
+        for (const auto* values : {&scene.grains.x, &scene.grains.y, &scene.grains.vx, &scene.grains.vy}) {
+            expect_numbers(*values, "a position or velocity of the first frame");
+        }
     }
 
     StoredFrame read_frame(int f) const {
@@ -107,7 +125,9 @@ private:
     }
 
     void read_scene(hid_t ours) {
-        scene.gravity = paired(h5::numbers<double>(ours, "gravity")).at(0);
+        const std::vector<double> gravity = h5::numbers<double>(ours, "gravity");
+        expect_whole(gravity.size() == 2, "gravity has not two components");
+        scene.gravity = {gravity[0], gravity[1]};
         scene.seed = static_cast<std::uint64_t>(h5::number<std::int64_t>(ours, "seed"));
         for (const Handle& group : by_index(file_.id(), layout::k_shapes)) {
             scene.add(std::make_shared<const Shape>(read_shape(group.id())));
@@ -122,6 +142,7 @@ private:
         grains.inertia = h5::data<double>(file_.id(), path_in(layout::k_grains, "inertia"));
         grains.shape = h5::data<std::int32_t>(file_.id(), path_in(layout::k_grains, "shape"));
         grains.material = h5::data<std::int32_t>(file_.id(), path_in(layout::k_grains, "material"));
+        expect_whole(scene);
     }
 
     Grains grains_at(hsize_t row) const {
@@ -135,6 +156,10 @@ private:
         }
         grains.angle = row_of<double>(layout::k_grains, "angle/value", row);
         grains.spin = row_of<double>(layout::k_grains, "spin/value", row);
+        const std::size_t n = grains.mass.size();
+        expect_whole(
+            positions.size() == n && velocities.size() == n && grains.angle.size() == n && grains.spin.size() == n,
+            "it has not as many positions, angles, velocities and spins as grains");
         return grains;
     }
 
@@ -142,7 +167,9 @@ private:
         const hid_t group = walls_[w].id();
         if (H5Lexists(group, "pose", H5P_DEFAULT) <= 0) return {};
         const std::vector<double> pose = h5::rows<double>(group, "pose/value", row, 1);
-        return {{pose.at(0), pose.at(1)}, pose.at(2), pose.at(3)};
+        expect_whole(pose.size() == 4, fmt::format("the pose of wall {} has not four numbers", w));
+        expect_numbers(pose, fmt::format("the pose of wall {}", w));
+        return {{pose[0], pose[1]}, pose[2], pose[3]};
     }
 
     std::vector<Contact> contacts_at(hsize_t row) const {
@@ -156,9 +183,13 @@ private:
         const std::vector<Vec2> points = paired(column("point"));
         const std::vector<Vec2> normals = paired(column("normal"));
         const std::vector<Vec2> impulses = paired(column("impulse"));
+        expect_whole(bodies.size() == 2 * count && gaps.size() == count && points.size() == count &&
+                         normals.size() == count && impulses.size() == count,
+                     "its contacts have not two bodies, a point, a normal, a gap and an impulse each");
         std::vector<Contact> contacts;
         for (std::size_t c = 0; c < count; ++c) {
             contacts.push_back({bodies[2 * c], bodies[2 * c + 1], points[c], normals[c], gaps[c], impulses[c]});
+            expect_whole(contacts.back(), scene);
         }
         return contacts;
     }
@@ -170,10 +201,16 @@ private:
 TrajectoryReader::TrajectoryReader(const std::filesystem::path& path) {
     require(std::filesystem::exists(path), "{}: no such file; a run writes it unless [output] trajectory is 0",
             path.string());
+    require_readable(path);
+    const std::string bad = path.string() + ": is damaged, or not a trajectory that polargrain wrote";
+    // HDF5 trusts the lengths of texts that it reads. The head holds all of them.
+    const Trial trial = try_out([&path] { File{path}; }, seconds_for(path));
+    require(trial != Trial::crashed, "{}: reading it crashes; {}", bad, k_remedy);
+    require(trial != Trial::too_long, "{}: reading it finds no end; {}", bad, k_remedy);
     try {
         file_ = std::make_unique<File>(path);
-    } catch (const h5::Failure& failure) {
-        throw InputError(fmt::format("{}: not a trajectory that polargrain wrote: {}", path.string(), failure.what()));
+    } catch (const std::exception& error) {
+        throw InputError(fmt::format("{}: {}; {}", bad, error.what(), k_remedy));
     }
 }
 
@@ -194,8 +231,9 @@ double TrajectoryReader::time(int f) const { return file_->times.at(static_cast<
 StoredFrame TrajectoryReader::frame(int f) const {
     try {
         return file_->read_frame(f);
-    } catch (const h5::Failure& failure) {
-        throw RunError(fmt::format("{}: frame {}: {}", file_->path.string(), f, failure.what()));
+    } catch (const std::exception& error) {
+        throw RunError(
+            fmt::format("{}: frame {}: is damaged: {}; {}", file_->path.string(), f, error.what(), k_remedy));
     }
 }
 

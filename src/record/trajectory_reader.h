@@ -20,8 +20,8 @@ struct StoredFrame {
 
 /// Reads a trajectory.h5 that TrajectoryH5 wrote, frame by frame.
 ///
-/// Errors: InputError names the file where it is absent, is no HDF5 file or not one of ours; RunError where it cannot
-/// be read on.
+/// Errors: InputError names the file where it is absent, is no HDF5 file, not one of ours, or damaged; RunError where
+/// it cannot be read on. Opening reads the head twice, at first in a process of its own (try_out).
 class TrajectoryReader {
 public:
     explicit TrajectoryReader(const std::filesystem::path& path);

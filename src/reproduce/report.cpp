@@ -140,7 +140,7 @@ void Report::add(const Figure& figure, const FigureResult& result) const {
     for (const FigurePicture& picture : result.pictures) text += picture_html(picture);
     for (const FigureTable& table : result.tables) text += table_html(table);
     text += findings_html(result.findings);
-    fs::create_directories(folder_ / "sections");
+    make_folder(folder_ / "sections");
     write_text(section(figure.id, ".html"), text);
     write_text(section(figure.id, ".verdict"), verdict(result.findings));
     write_text(section(figure.id, ".csv"), findings_csv(figure.id, result.findings));

@@ -4,6 +4,7 @@
 
 #include "src/core/error.h"
 #include "src/plot/plot.h"
+#include "src/record/text_file.h"
 #include "src/reproduce/report.h"
 
 namespace polargrain {
@@ -28,7 +29,7 @@ void check_reproduce_folder(const fs::path& folder) {
 bool reproduce(const ReproduceSettings& settings, const std::atomic<bool>& stop, const ReproduceEvents& events) {
     require_plotting();
     check_reproduce_folder(settings.folder);
-    fs::create_directories(settings.folder / "runs");
+    make_folder(settings.folder / "runs");
     const RunStore store(settings.folder / "runs", settings.program, settings.engines);
     std::vector<std::string> names;
     std::string list;

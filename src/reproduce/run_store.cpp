@@ -38,7 +38,7 @@ public:
           final_(std::move(final_folder)),
           part_(final_.string() + fmt::format(".part{}", getpid())) {
         fs::remove_all(part_);
-        fs::create_directories(part_);
+        make_folder(part_);
         TextFile scenario(part_ / "piece.toml");
         scenario.write(piece.scenario);
         scenario.close();
@@ -49,8 +49,6 @@ public:
     }
 
     const std::string& name() const { return name_; }
-    void interrupt() const { child_->interrupt(); }
-
     /// True when it has ended; the finished run is in its final place then.
     bool collect() {
         const std::optional<int> exit_code = child_->poll();
@@ -65,8 +63,9 @@ public:
         return true;
     }
 
+    /// Ends it at once: what it has written goes with it.
     void discard() {
-        child_->wait();
+        child_.reset();
         fs::remove_all(part_);
     }
 
@@ -97,7 +96,7 @@ bool RunStore::complete(const std::vector<Piece>& pieces, int jobs, const std::a
         if (!finished(piece) && asked.insert(folder_of(piece)).second) missing.push_back(&piece);
     }
     if (missing.empty()) return true;
-    fs::create_directories(folder_);
+    make_folder(folder_);
     StoreProgress progress{0, missing.size(), "", 0.0};
     show(progress);
     const auto start = std::chrono::steady_clock::now();
@@ -123,7 +122,6 @@ bool RunStore::complete(const std::vector<Piece>& pieces, int jobs, const std::a
         }
         std::this_thread::sleep_for(k_look_again);
     }
-    for (RunningPiece& piece : running) piece.interrupt();
     for (RunningPiece& piece : running) piece.discard();
     return progress.done == missing.size();
 }

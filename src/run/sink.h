@@ -47,7 +47,8 @@ public:
     /// At time zero, at the first step at or after each multiple of every(), and at the end.
     virtual void sample(const Sample& sample) = 0;
 
-    /// Once, after the last sample, also when the run was interrupted.
+    /// Once, after the last sample, also when the run was interrupted. All that was handed over is on the disk when
+    /// this returns; whatever the system reports late is an error here.
     virtual void end() {}
 };
 

@@ -56,4 +56,7 @@ inline Outcome run_polargrain(const std::vector<std::string>& arguments, const s
 
 std::string read_file(const std::filesystem::path& path);
 
+/// Waits until something of that name is there; a minute at most. False where it has not come.
+bool wait_for(const std::filesystem::path& path);
+
 }  // namespace polargrain

@@ -57,12 +57,17 @@ TEST(CommandLine, MistakesEndWithTwoAndAHint) {
         {{"list", "planets"}, "planets"},
         {{"run", "fig9", "--seed", "many"}, "seed"},
         {{"run", "fig9", "--seed", "-1"}, "--seed: -1 is no seed; give a whole number from 0 to 9007199254740992"},
-        {{"run", "fig9", "--threads", "0"}, "threads"},
+        {{"run", "fig9", "--threads", "0"}, "--threads: 0 is no number of threads; give a whole number from 1 to 1024"},
+        {{"run", "fig9", "--threads", "nan"}, "nan is no number of threads"},
         {{"run", "domino-opalen"}, "domino-opalene"},
         {{"run", "fig9", "--engine", "contact-1995"}, "contact-1994"},
         {{"run", "fig9", "--set", "run.duraton=1"}, "duration"},
         {{"run", "fig9", "--set", "run.duration"}, "run.duration"},
         {{"check", "absent.toml"}, "absent.toml"},
+        {{"check", "/tmp"}, "/tmp: is a folder; name a scenario file in it"},
+        {{"check", ""}, "SCENARIO: is empty"},
+        {{"run", "fig9", "-o", ""}, "--output: is empty"},
+        {{"sweep", "/dev/zero"}, "/dev/zero: there is no such sweep file"},
         {{"shape", "gearr"}, "gear"},
         {{"sheet", "no-such-folder"}, "no-such-folder"},
     };
@@ -94,6 +99,21 @@ TEST(CommandLine, ListsWhatIsThere) {
     const Outcome engines = run({"list", "engines"});
     EXPECT_THAT(engines.out, HasSubstr("contact-1994"));
     EXPECT_THAT(engines.out, testing::Not(HasSubstr("domino-opalene")));
+}
+
+TEST(CommandLine, AFolderThatTheSystemRefusesIsNamedWithItsReason) {
+    const std::string name(300, 'a');
+    const Outcome outcome = run({"run", "fig9", "-o", name});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("error: " + name + ": File name too long;"));
+}
+
+TEST(CommandLine, AnOutlineThatIsNoGrainIsNamedByItsFile) {
+    const ScratchFolder scratch;
+    scratch.write("bow.toml", "title = \"bow tie\"\nsource = \"made up\"\npoints = [[0, 0], [1, 1], [1, 0], [0, 1]]\n");
+    const Outcome outcome = run_polargrain({"shape", "bow.toml"}, scratch.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("bow.toml: "));
 }
 
 TEST(CommandLine, MeasuresAndDrawsAShape) {

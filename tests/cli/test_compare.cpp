@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program_runner.h"
@@ -33,6 +34,29 @@ TEST(Compare, LeavesAReportTablesPlotsAndFramesSideBySide) {
     EXPECT_EQ(
         run_polargrain({"compare", "disks.toml", "--engines", "contact,box2d", "-o", "both"}, scratch.path()).exit_code,
         2);
+}
+
+TEST(Compare, TakesItsFolderBeforeTheFirstRunAndLeavesNoneWhenInterrupted) {
+    const ScratchFolder scratch;
+    scratch.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e5"));
+    const std::vector<std::string> words{"compare", "long.toml", "--engines", "contact,box2d", "-o", "both"};
+    RunningProgram program(words, scratch.path());
+    ASSERT_TRUE(wait_for(scratch / "both"));
+    const Outcome second = run_polargrain(words, scratch.path());
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_THAT(second.err, HasSubstr("another polargrain is running in this folder"));
+    program.send(SIGINT);
+    EXPECT_EQ(program.wait().exit_code, 130);
+    EXPECT_FALSE(fs::exists(scratch / "both"));
+}
+
+TEST(Compare, FindsOutBeforeTheFirstRunThatItsFolderCannotBeMade) {
+    const ScratchFolder scratch;
+    scratch.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e5"));
+    const Outcome outcome = run_polargrain(
+        {"compare", "long.toml", "--engines", "contact,box2d", "-o", "/proc/nowhere/both"}, scratch.path());
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("/proc/nowhere/both: cannot make the folder"));
 }
 
 TEST(Compare, RefusesWhatCannotBeCompared) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 
 #include "tests/cli/program_runner.h"
@@ -86,6 +87,10 @@ TEST_F(Render, WritesMoviesWhereFfmpegIsInstalled) {
     EXPECT_TRUE(movie == read_file(scratch_ / "two.mp4")) << "equal frames, equal bytes";
     EXPECT_FALSE(fs::exists(scratch_ / "one.mp4.part"));
     EXPECT_FALSE(fs::exists(scratch_ / "one.mp4.log"));
+    const Outcome full = RunningProgram({"render", "run", "-o", "three.mp4"}, scratch_.path(), 2000).wait();
+    EXPECT_EQ(full.exit_code, 1) << "half a movie";
+    EXPECT_THAT(full.err, HasSubstr("three.mp4"));
+    EXPECT_FALSE(fs::exists(scratch_ / "three.mp4"));
 }
 
 TEST_F(Render, SaysWhatAMovieNeeds) {
@@ -96,6 +101,53 @@ TEST_F(Render, SaysWhatAMovieNeeds) {
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, HasSubstr("apt-get install ffmpeg"));
     EXPECT_FALSE(fs::exists(scratch_ / "movie.mp4"));
+}
+
+TEST_F(Render, OfARunInProgressSaysSoAndWhatToDo) {
+    scratch_.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e6"));
+    RunningProgram program({"run", "long.toml", "-o", "long"}, scratch_.path());
+    ASSERT_TRUE(wait_for(scratch_ / "long" / "checkpoint.h5"));
+    for (const char* command : {"render", "sheet"}) {
+        const Outcome refused = polargrain({command, "long"});
+        EXPECT_EQ(refused.exit_code, 2) << command;
+        EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("long: the run in this folder is in progress"),
+                                                HasSubstr("polargrain resume long")));
+    }
+    program.send(SIGKILL);
+    program.wait();
+    EXPECT_EQ(polargrain({"render", "long"}).exit_code, 0) << "afterwards it is drawn as far as it came";
+}
+
+TEST_F(Render, OfADamagedRecordingIsRefusedByName) {
+    const std::string good = read_file(scratch_ / "run" / "trajectory.h5");
+    for (const std::size_t length : {std::size_t{0}, std::size_t{100}, good.size() / 2}) {
+        scratch_.write("run/trajectory.h5", good.substr(0, length));
+        const Outcome refused = polargrain({"render", "run", "-o", "again"});
+        EXPECT_EQ(refused.exit_code, 2) << length;
+        EXPECT_THAT(refused.err, HasSubstr("run/trajectory.h5: is damaged"));
+        EXPECT_FALSE(fs::exists(scratch_ / "again"));
+    }
+}
+
+TEST_F(Render, RefusesNumbersThatAreNone) {
+    const struct {
+        const char *option, *value, *says;
+    } mistakes[] = {{"--colour-max", "nan", "nan is no end of a colour scale; give a number from 1e-09 to 1e+09"},
+                    {"--colour-max", "inf", "1e+09"},
+                    {"--colour-max", "-1", "1e+09"},
+                    {"--colour-max", "1e999", "1e+09"},
+                    {"--fps", "nan", "nan is no number of frames per second; give a number from 0.1 to 240"},
+                    {"--fps", "inf", "from 0.1 to 240"},
+                    {"--fps", "-3", "from 0.1 to 240"},
+                    {"--from", "nan", "nan is no time"},
+                    {"--to", "soon", "soon is no time"},
+                    {"--every", "0", "0 is no number of frames; give a whole number from 1"}};
+    for (const auto& [option, value, says] : mistakes) {
+        const Outcome refused = polargrain({"render", "run", "-o", "again", option, value});
+        EXPECT_EQ(refused.exit_code, 2) << option << " " << value;
+        EXPECT_THAT(refused.err, testing::AllOf(HasSubstr(option), HasSubstr(says)));
+        EXPECT_FALSE(fs::exists(scratch_ / "again"));
+    }
 }
 
 TEST_F(Render, RefusesToOverwriteAndWrongSizes) {

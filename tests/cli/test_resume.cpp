@@ -197,6 +197,9 @@ TEST_F(Resume, UntilCarriesAFinishedRunOn) {
     const Outcome resumed = polargrain({"resume", "short", "--until", "0.012"});
     ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
     expect_equal_files(scratch_ / "short", folder("whole"));
+    for (const char* until : {"nan", "inf", "0"}) {
+        EXPECT_THAT(polargrain({"resume", "short", "--until", until}).err, HasSubstr("is no time to run to"));
+    }
     const Outcome back = polargrain({"resume", "short", "--until", "0.008"});
     EXPECT_EQ(back.exit_code, 2);
     EXPECT_THAT(back.err, HasSubstr("at t = 0.012"));

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -40,6 +41,21 @@ TEST_F(Run, WritesARunFolderUnderOutByDefault) {
     }
     EXPECT_FALSE(fs::exists(scratch_ / "out" / "three" / "frames")) << "frames are switched off";
     EXPECT_EQ(summary_of(scratch_ / "out" / "three").at("steps"), 500);
+}
+
+TEST_F(Run, WithoutStandardStreamsPrintsIntoNoneOfItsFiles) {
+    scratch_.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e6"));
+    ASSERT_EQ(
+        std::system(("cd " + scratch_.path().string() +
+                     " && { " POLARGRAIN_BINARY_DIR "/polargrain run long.toml -o long <&- >&- 2>&- & echo $! > pid; }")
+                        .c_str()),
+        0);
+    ASSERT_TRUE(wait_for(scratch_ / "long" / "checkpoint.h5"));
+    const int pid = std::stoi(read_file(scratch_ / "pid"));
+    for (const char* stream : {"0", "1", "2"}) {
+        EXPECT_EQ(fs::read_symlink("/proc/" + std::to_string(pid) + "/fd/" + stream), "/dev/null") << stream;
+    }
+    kill(pid, SIGKILL);
 }
 
 TEST_F(Run, TheSameScenarioGivesTheSameStateAndAnotherSeedAnother) {

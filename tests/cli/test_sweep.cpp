@@ -155,6 +155,19 @@ TEST_F(Sweep, LeavesCompleteRunsAlone) {
     EXPECT_EQ(fs::last_write_time(scratch_ / "swept" / "runs" / "0003" / "summary.json"), written);
 }
 
+TEST_F(Sweep, RunsAgainWhatHasLeftADamagedSummary) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    const std::string table = read_file(scratch_ / "swept" / "table.csv");
+    for (const char* damaged :
+         {"", "{", "[]", "{\"interrupted\": 3}", "{\"interrupted\": false, \"observables\": 3}"}) {
+        scratch_.write("swept/runs/0003/summary.json", damaged);
+        const Outcome again = polargrain({"sweep", "sweep.toml", "-o", "swept"});
+        EXPECT_EQ(again.exit_code, 0) << damaged << again.err;
+        EXPECT_THAT(again.out, HasSubstr("7 of them done already"));
+        EXPECT_EQ(read_file(scratch_ / "swept" / "table.csv"), table) << damaged;
+    }
+}
+
 TEST_F(Sweep, RefusesTheFolderOfAnother) {
     ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
     scratch_.write("sweep.toml", replaced(k_sweep, "0.4", "0.5"));
@@ -182,6 +195,12 @@ TEST_F(Sweep, SaysWhatIsWrongInItsFile) {
                 HasSubstr("wrong.toml:2:9: seeds: 10000000000 are more than the 100000 runs"));
     EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nseeds = 100000\nengines = [\"contact\", \"dem\"]\n"),
                 HasSubstr("makes 200000 runs"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[vary]\nmaterials.stone.friction = [0.1, -1.0]\n"),
+                HasSubstr("wrong.toml:3:34: materials.stone.friction: is -1"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[set]\nmaterials.stone.densty = 1.0\n"),
+                HasSubstr("wrong.toml:3:26: unknown key materials.stone.densty"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nengines = [\"box3d\"]\n"),
+                HasSubstr("wrong.toml:2:12: run.engine"));
     EXPECT_EQ(polargrain({"sweep", "none.toml"}).exit_code, 2);
     fs::create_directories(scratch_ / "folder");
     const Outcome folder = polargrain({"sweep", "folder"});

@@ -1,5 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstdlib>
 
 #include "tests/cli/program_runner.h"
 #include "tests/cli/small_scenarios.h"
@@ -105,6 +109,39 @@ TEST_F(Verify, ObservablesBecomeColumnsOfTheSeries) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string series = read_file(scratch_ / "kept" / "series.csv");
     EXPECT_THAT(series.substr(0, series.find('\n')), HasSubstr(",deepest_overlap,drift"));
+}
+
+TEST_F(Verify, RefusesSeedsThatAreNotThereBeforeTheFirstRun) {
+    scratch_.write("three.toml", with_band("min = 9.9"));
+    const Outcome refused = verify({"three.toml", "--seed", "9007199254740992", "--seeds", "2"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--seeds 2: there are not so many from run.seed = 9007199254740992 on"));
+    EXPECT_THAT(refused.out, Not(HasSubstr("(1 of 1)")));
+}
+
+TEST_F(Verify, ThatIsInterruptedSaysHowToVerifyAgain) {
+    scratch_.write("long.toml", replaced(with_band("min = 9.9"), "duration = 0.05", "duration = 1e6"));
+    RunningProgram program({"verify", "long.toml", "-o", "kept"}, scratch_.path());
+    ASSERT_TRUE(wait_for(scratch_ / "kept" / "long" / "checkpoint.h5"));
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_THAT(outcome.err,
+                testing::AllOf(HasSubstr("polargrain verify long.toml -o kept --force"), Not(HasSubstr("resume"))));
+}
+
+TEST_F(Verify, SaysThatTheTemporaryFolderIsMissing) {
+    scratch_.write("three.toml", with_band("min = 9.9"));
+    const char* before = std::getenv("TMPDIR");
+    const std::string kept = before != nullptr ? before : "";
+    setenv("TMPDIR", "/no/such/folder", 1);
+    // Not by run_polargrain, which needs such a folder itself.
+    const int status = std::system(("cd " + scratch_.path().string() +
+                                    " && " POLARGRAIN_BINARY_DIR "/polargrain verify three.toml 2>said >/dev/null")
+                                       .c_str());
+    before != nullptr ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    EXPECT_THAT(read_file(scratch_ / "said"), testing::AllOf(HasSubstr("TMPDIR=/no/such/folder"), HasSubstr("-o")));
 }
 
 TEST_F(Verify, TheListNamesEveryObservable) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -41,7 +42,7 @@ TEST(ChildProcess, TellsOfASignalAs128AndItsNumber) {
 TEST(ChildProcess, IsStillThereUntilItEnds) {
     ChildProcess child({"sleep", "30"}, log_file("child-sleep.log"));
     EXPECT_FALSE(child.poll());
-    child.interrupt();
+    child.interrupt(SIGINT);
     EXPECT_EQ(child.wait(), 128 + 2);
     EXPECT_EQ(child.poll(), 128 + 2);
 }

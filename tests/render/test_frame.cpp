@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
 
 #include "render/frame.h"
+#include "render/shape_picture.h"
 #include "src/core/error.h"
 #include "tests/record/small_scene.h"
 #include "tests/render/pixels.h"
@@ -251,6 +255,26 @@ TEST_F(Frame, AFullDiskIsNoticed) {
     const StepReport nothing;
     EXPECT_THROW(draw_frame(picture_of(scene, initial_world(scene), nothing), unit_view(), folder_ / "full.png"),
                  RunError);
+}
+
+TEST(PictureFile, OnAFullDiskIsAnErrorByNameWhateverItsFormat) {
+    const testing::TemporaryFolder folder("frame-full");
+    const auto previous = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    for (const char* name : {"gear.png", "gear.svg", "gear.pdf"}) {
+        const rlimit limit{1000, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        std::string message;
+        try {
+            draw_shape(Disk("ball", 0.01), {"a line"}, folder / name, 400);
+        } catch (const RunError& error) {
+            message = error.what();
+        }
+        setrlimit(RLIMIT_FSIZE, &before);
+        EXPECT_NE(message.find(name), std::string::npos) << name << ": " << message;
+    }
+    std::signal(SIGXFSZ, previous);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "src/core/error.h"
 #include "src/record/trajectory_h5.h"
 #include "tests/record/small_scene.h"
+#include "tests/record/synced_files.h"
 #include "tests/render/pixels.h"
 
 namespace polargrain {
@@ -47,6 +48,16 @@ TEST(FramesSink, NumbersTheFramesAndTellsTheirTimes) {
     for (int f = 0; f < k_frames; ++f) {
         EXPECT_TRUE(Pixels(folder / ("frames/" + rows[static_cast<std::size_t>(f) + 1][0])).valid()) << f;
     }
+}
+
+TEST(FramesSink, APowerCutLosesNoFrameOfARunThatHasComeToItsEnd) {
+    const TemporaryFolder folder("frames-power-cut");
+    FramesSink sink(folder / "frames", small_frames());
+    feed(sink, small_scene());
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "frames")) {
+        EXPECT_TRUE(testing::is_on_disk(entry.path())) << entry.path();
+    }
+    EXPECT_EQ(testing::synced_files()[(folder / "frames").string()], 1U + k_frames) << "the names of all of them";
 }
 
 TEST(FramesSink, AFolderThatCannotBeMadeIsNamed) {

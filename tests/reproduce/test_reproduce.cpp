@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "src/core/error.h"
 #include "src/engines/contact/contact_1994.h"
@@ -87,6 +89,19 @@ TEST_F(Reproduced, AStopLosesOnlyWhatIsInProgress) {
     int left = 0;
     for (const auto& entry : fs::directory_iterator(folder_ / "runs")) left += entry.is_directory();
     EXPECT_EQ(left, 1) << "the folder of the one in progress is gone";
+}
+
+TEST_F(Reproduced, AStopDoesNotWaitForARunThatDoesNotListen) {
+    std::atomic<bool> stop{false};
+    const RunStore store(folder_ / "runs", program("trap '' INT TERM; exec sleep 60"), {refined()});
+    const auto start = std::chrono::steady_clock::now();
+    std::thread later([&stop] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        stop = true;
+    });
+    EXPECT_FALSE(store.complete(k_two, 2, stop, ignore));
+    later.join();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
 TEST(Pieces, GoByWhatTheirResultDependsOn) {
