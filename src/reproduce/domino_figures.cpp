@@ -187,7 +187,7 @@ void add_theories(std::vector<Finding>& findings) {
     for (const KnownSpeeds& known : k_group_speeds) {
         for (std::size_t k = 0; k < k_gaps.size(); ++k) {
             add(known.name + ", group theory with friction", k_gaps[k], group_theory_speed(known.row(k_gaps[k])),
-                known.speeds[k], 1e-3);
+                known.speeds[k], 5.5e-4);
         }
     }
     for (std::size_t k = 0; k < k_gaps.size(); ++k) {
