@@ -92,7 +92,15 @@ TEST_P(DiskSilo, DischargesAsTheSoftSphereProgramDoes) {
     EXPECT_NEAR(flow / GetParam().flow, 1.0, 0.05);
 }
 
-INSTANTIATE_TEST_SUITE_P(Openings, DiskSilo, ::testing::Values(SiloCase{6.0, 8.05}, SiloCase{10.0, 20.6}));
+/// Between the two, the law of [BLV61] in the plane, C (D / d - k)^1.5, through both.
+double law_of_beverloo(double opening) {
+    const double low = std::pow(8.05, 2.0 / 3.0), high = std::pow(20.6, 2.0 / 3.0);
+    return std::pow(low + (high - low) * (opening - 6.0) / 4.0, 1.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Openings, DiskSilo,
+                         ::testing::Values(SiloCase{6.0, 8.05}, SiloCase{8.0, law_of_beverloo(8.0)},
+                                           SiloCase{10.0, 20.6}));
 
 /// A bed of 600 rough grains of 20 mm in a bin twenty wide, settled once for all time steps.
 Scene rough_bed(std::uint64_t seed, double opening) {
