@@ -97,7 +97,8 @@ TEST_P(Dominoes, FallAsFastAsThePinnedChainAtEveryTimeStep) {
         found.push_back(wave_speed(material, gap, dt));
         fmt::print("{} gap {} h dt {:.0e}: {:.4f} +- {:.4f} ({:+.2f} % of the chain's {:.4f})\n", material.name, gap,
                    dt, found.back().mean, found.back().error, 100.0 * (found.back().mean / chain - 1.0), chain);
-        EXPECT_NEAR(found.back().mean / chain, 1.0, 0.04);
+        // Opalene bounces: at three thicknesses the mean of 18 pitches is known to 1.7 % only.
+        EXPECT_NEAR(found.back().mean / chain, 1.0, std::max(0.02, 2.5 * found.back().error / chain));
     }
     // One percent, or two standard errors: bouncing dominoes keep pitches that differ by several percent.
     for (const WaveSpeed& other : {found[1], found[2]}) {
