@@ -210,7 +210,8 @@ TEST(RoughDischarge, DoesNotDependOnTheTimeStep) {
 }
 
 TEST(DiskDischarge, DoesNotDependOnTheTimeStep) {
-    // 800 disks of 20 mm in a silo 24 d wide, opening 6 d.
+    // 800 disks of 20 mm in a silo 24 d wide, opening 6 d. Measured 207.8, 208.2 and 209.5 +- 1.4 disks/s at 1, 0.5 and
+    // 0.25 ms.
     const auto bed_of = [](std::uint64_t seed) {
         Running settling = filled_silo(6.0, 1e9, seed, 0.02, 24, 800);
         settling.run(1.5, 1e-3);
