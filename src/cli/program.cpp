@@ -245,7 +245,7 @@ void add_sheet(CLI::App& app, SheetRequest& request, Action& action) {
 void add_reproduce(CLI::App& app, ReproduceRequest& request, Action& action) {
     CLI::App* command = app.add_subcommand("reproduce", "published figures and tables again, beside their numbers");
     command->add_option("FIGURE", request.figures,
-                        "fig2 fig5 fig7 fig9 table1 fig11 fig12 fig14 fig15 fig16 fig17 efficiency "
+                        "fig2 fig5 fig7 fig9 table1 fig11 fig12 domino-wave fig14 fig15 fig16 fig17 efficiency "
                         "kuo-mixer; all if left out");
     command->add_option("-o,--output", request.folder, "folder; default out/reproduce")->type_name("DIR");
     command->add_option("--jobs", request.jobs, "simulations at a time, default 2")

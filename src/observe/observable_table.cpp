@@ -13,6 +13,7 @@ using enum Dimension;
 const std::vector<ObservableEntry>& table() {
     static const std::vector<ObservableEntry> entries = {
         {"domino_speed", domino_speed, 0, 0, true, "speed of a toppling wave over its steady second half"},
+        {"domino_run_in", count, 0, 0, false, "grains that topple before the wave is steady"},
 
         {"grains_out", count, 0, 0, true, "grains that are below the lowest wall"},
         {"discharge_rate", rate, 0, 0, true, "grains_out over the time simulated"},

@@ -36,6 +36,7 @@ AnyMeter make_meter(const ObservableSpec& spec, const Scene& scene) {
         return WallMeter(wall_number(spec, scene), spec.region, measure);
     };
     if (q == "domino_speed") return TopplingMeter(scene);
+    if (q == "domino_run_in") return TopplingMeter(scene, TopplingMeter::Measure::run_in);
     if (q == "deepest_overlap") return OverlapMeter(scene);
     if (q == "grains_passed") return flow(FlowMeter::Measure::count);
     if (q == "grain_flow") return flow(FlowMeter::Measure::grain_rate);

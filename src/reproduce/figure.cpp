@@ -19,7 +19,7 @@ std::vector<Piece> no_pieces(const std::vector<std::string>& /*engines*/) { retu
 }  // namespace
 
 std::span<const Figure> figures() {
-    static const std::array<Figure, 13> table{{
+    static const std::array<Figure, 14> table{{
         {"fig2", "Figure 2: a particle in polar form", no_pieces, draw_fig2},
         {"fig5", "Figure 5: is a vertex inside a grain?", no_pieces, draw_fig5},
         {"fig7", "Figure 7: normal direction of impact", no_pieces, draw_fig7},
@@ -27,6 +27,8 @@ std::span<const Figure> figures() {
         {"table1", "Table 1: the dominoes", table1_pieces, draw_table1},
         {"fig11", "Figure 11: speed of toppling dominoes", fig11_pieces, draw_fig11},
         {"fig12", "Figure 12: snapshots of toppling dominoes", fig12_pieces, draw_fig12},
+        {"domino-wave", "Section 4.1: when the wave is steady, and whether feet slide", domino_wave_pieces,
+         draw_domino_wave},
         {"fig14", "Figure 14: pouring 500 disks, snapshots", pouring_pieces, draw_fig14},
         {"fig15", "Figure 15: pouring 500 disks, potential energy and area fraction", pouring_pieces, draw_fig15},
         {"fig16", "Figure 16: rough grains out of a square bin", fig16_pieces, draw_fig16},

@@ -14,6 +14,9 @@ FigureResult draw_fig11(const FigureDesk& desk);
 /// Ten snapshots of toppling dominoes. [HN94, Fig. 12]
 std::vector<Piece> fig12_pieces(const Engines& engines);
 FigureResult draw_fig12(const FigureDesk& desk);
+/// What is said of the wave in words: when it is steady, how it varies, whether feet slide. [HN94, sec. 4.1]
+std::vector<Piece> domino_wave_pieces(const Engines& engines);
+FigureResult draw_domino_wave(const FigureDesk& desk);
 /// The dominoes of the experiments, as the runs carry them. [HN94, Table 1]
 std::vector<Piece> table1_pieces(const Engines& engines);
 FigureResult draw_table1(const FigureDesk& desk);

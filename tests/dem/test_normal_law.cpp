@@ -57,6 +57,17 @@ TEST_P(LinearLaw, WithoutTensionGivesItsClosedFormsAtEverySpeed) {
     }
 }
 
+TEST(DampingRatio, MadeForTensionGivesTooMuchWithoutIt) {
+    const Oscillator o;
+    for (const auto& [asked, got] : {std::pair{0.9, 0.9020}, {0.8, 0.8081}, {0.5, 0.5503}, {0.2, 0.3249}}) {
+        const double c = 2.0 * damping_ratio_with_tension(asked) * std::sqrt(o.k * o.m);
+        const Impact impact =
+            collide([&](double x, double v) { return damped_force(linear_spring(x, o.k).force, c, v, false); }, o.m,
+                    1.0, o.fine_step());
+        EXPECT_NEAR(impact.restitution, got, 6e-5) << asked;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Restitutions, LinearLaw, ::testing::Values(0.99, 0.9, 0.8, 0.5, 0.2));
 
 TEST(DampingRatio, IsTheTableOfKuoAndOthers) {

@@ -217,8 +217,21 @@ TEST(ImpactLaw, RodOnAFloorAtSixtyDegrees) {
 }
 
 TEST(ImpactLaw, RodWhoseSlipReversesIsEnergeticNotPoissonNorNewton) {
-    Motion after;
-    EXPECT_NEAR(rod_impact(45.0, 0.5, 0.5, {0.5, -1.0}, after).normal, 0.639775, 1e-6);
+    const auto normal_impulse = [](double e, double& rebound) {
+        Motion after;
+        const ImpactResult p = rod_impact(45.0, e, 0.5, {0.5, -1.0}, after);
+        rebound = after.velocity.y() - 0.5 * std::sqrt(0.5) * after.spin;
+        return p.normal;
+    };
+    double rebound = 0.0;
+    EXPECT_NEAR(normal_impulse(0.5, rebound), 0.639775, 1e-6);
+    // Poisson: restitution gives half the impulse of compression on top of it.
+    EXPECT_NEAR(1.5 * normal_impulse(0.0, rebound), 0.623377, 1e-6);
+    EXPECT_NEAR(rebound, 0.0, 1e-12);
+    // Newton: the contact parts at half the speed at which it closed. The impulse is linear in it beyond compression.
+    double none = 0.0, all = 0.0;
+    const double least = normal_impulse(0.0, none), most = normal_impulse(1.0, all);
+    EXPECT_NEAR(least + (most - least) * 0.5 / all, 0.701299, 1e-6);
 }
 
 TEST(ImpactLaw, MirrorImageMirrorsTheImpulse) {

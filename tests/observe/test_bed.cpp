@@ -7,11 +7,14 @@
 #include "src/core/elementary.h"
 #include "src/observe/bed.h"
 #include "src/observe/toppling_meter.h"
+#include "tests/observe/observed.h"
 #include "tests/observe/square_lattice.h"
 
 namespace polargrain {
 namespace {
 
+using testing::add_open_box;
+using testing::disks_at;
 using testing::square_lattice;
 
 /// A box `columns` diameters wide with the rows of a hexagonal packing of disks of radius 10 mm, the outermost touching
@@ -67,6 +70,33 @@ TEST(TopplingMeter, MeasuresAWaveOfKnownSpeed) {
         meter.step(world, dt, {});
     }
     EXPECT_NEAR(meter.speed(), 1.5 / std::sqrt(9.81 * 0.04), 1e-3);
+}
+
+/// A row of 30 toppled by a wave whose first `slow` pitches take twice as long as the others, to the right or left.
+TopplingMeter after_a_wave(int slow, bool leftwards, const TopplingMeter::Measure measure) {
+    constexpr int count = 30;
+    Scene scene = disks_at(std::vector<Vec2>(count, Vec2(0.0, 0.02)));
+    add_open_box(scene, 2.0, 1.0);
+    for (int k = 0; k < count; ++k) scene.grains.x[static_cast<std::size_t>(k)] = 0.05 * k;
+    TopplingMeter meter(scene, measure);
+    World world = initial_world(scene);
+    for (int k = 0; k < count; ++k) {
+        world.time += k == 0 ? 0.0 : k <= slow ? 0.06 : 0.03;
+        world.grains.angle[static_cast<std::size_t>(leftwards ? count - 1 - k : k)] = leftwards ? 0.5 : -0.5;
+        meter.step(world, 0.0, {});
+    }
+    return meter;
+}
+
+TEST(TopplingMeter, CountsTheDominoesThatToppleBeforeTheWaveIsSteady) {
+    for (const bool leftwards : {false, true}) {
+        // The five pitches about domino n, from n - 2 to n + 3, hold a slow one up to n = slow + 1.
+        for (const int slow : {0, 1, 4, 9}) {
+            const TopplingMeter meter = after_a_wave(slow, leftwards, TopplingMeter::Measure::run_in);
+            EXPECT_EQ(meter.run_in(), slow + 2) << slow << leftwards;
+            EXPECT_NEAR(meter.speed(), 0.05 / 0.03 / std::sqrt(9.81 * 0.04), 1e-12);
+        }
+    }
 }
 
 }  // namespace

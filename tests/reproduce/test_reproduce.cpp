@@ -118,6 +118,8 @@ TEST(Pieces, AreThoseOfTheEnginesAtHand) {
     EXPECT_EQ(fig11_pieces({"contact"}).size(), 30U);
     EXPECT_EQ(fig11_pieces({"contact-1994", "contact"}).size(), 60U);
     EXPECT_TRUE(fig16_pieces({"dem"}).empty());
+    EXPECT_EQ(domino_wave_pieces({"contact"}).size(), 18U);
+    EXPECT_EQ(domino_wave_pieces({"contact-1994", "contact"}).size(), 42U);
     EXPECT_EQ(at_hand({"contact", "dem"}, {"dem", "box2d"}), Engines{"dem"});
 }
 

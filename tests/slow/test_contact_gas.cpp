@@ -112,13 +112,13 @@ TEST_P(ElasticGas, HasThePressureAndTheCollisionRateOfHardDisks) {
 
 INSTANTIATE_TEST_SUITE_P(AreaFractions, ElasticGas, ::testing::Values(0.1, 0.3, 0.5));
 
-/// T / T0 over Haff's law after 2, 4, 6 and 8 collisions a grain, for 900 disks at an area fraction of 0.3.
-std::vector<double> temperature_over_law(double e, std::uint64_t seed) {
+/// T / T0 over Haff's law after 2, 4, 6 and 8 collisions a grain, for 900 disks at area fraction phi.
+std::vector<double> temperature_over_law(double e, double phi, std::uint64_t seed) {
     // Started from an elastic gas, because the lattice and the draw of velocities forget themselves as slowly as it
     // cools.
-    Running elastic(make_contact, gas(900, 0.3, 1.0, seed));
+    Running elastic(make_contact, gas(900, phi, 1.0, seed));
     elastic.run(0.3, 2e-4);
-    Scene scene = gas(900, 0.3, e, seed);
+    Scene scene = gas(900, phi, e, seed);
     scene.grains = elastic.world.grains;
     Running sim(make_contact, scene);
     sim.report.record_impacts = true;
@@ -136,27 +136,35 @@ std::vector<double> temperature_over_law(double e, std::uint64_t seed) {
     return ratios;
 }
 
-class CoolingGas : public ::testing::TestWithParam<double> {};
+struct CoolingCase {
+    double e, phi, margin;
+};
+
+class CoolingGas : public ::testing::TestWithParam<CoolingCase> {};
 
 TEST_P(CoolingGas, FollowsHaffsLaw) {
     // T = T0 exp(-(1 - e^2) C / 2), C collisions per grain; smooth elastic walls take nothing. One gas of 3600
-    // collisions scatters by more than a percent, so the mean over eight is held to the law.
-    const double e = GetParam();
-    const int seeds = 8;
+    // collisions scatters by more than a percent, so the mean over many is held to the law. It knows nothing of
+    // neighbours that fly alike, of which there are more the denser and the less elastic the gas: at e 0.9 it is off by
+    // 1.3 % at an area fraction of 0.3, by 0.7 % at 0.1.
+    const auto [e, phi, margin] = GetParam();
+    const int seeds = 48;
     std::vector<double> mean(4, 0.0);
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const std::vector<double> ratios = temperature_over_law(e, seed);
+        const std::vector<double> ratios = temperature_over_law(e, phi, seed);
         ASSERT_EQ(ratios.size(), mean.size()) << "seed " << seed;
         for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += ratios[k] / seeds;
     }
     for (std::size_t k = 0; k < mean.size(); ++k) {
-        fmt::print("e {}: after {} collisions a grain T / T0 off by {:+.2f} %\n", e, 2 * (k + 1),
+        fmt::print("e {} phi {}: after {} collisions a grain T / T0 off by {:+.2f} %\n", e, phi, 2 * (k + 1),
                    100.0 * (mean[k] - 1.0));
-        EXPECT_NEAR(mean[k], 1.0, 0.02);
+        EXPECT_NEAR(mean[k], 1.0, margin);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Restitutions, CoolingGas, ::testing::Values(0.95, 0.9));
+INSTANTIATE_TEST_SUITE_P(Restitutions, CoolingGas,
+                         ::testing::Values(CoolingCase{0.95, 0.3, 0.01}, CoolingCase{0.9, 0.1, 0.01},
+                                           CoolingCase{0.9, 0.3, 0.02}));
 
 }  // namespace
 }  // namespace polargrain

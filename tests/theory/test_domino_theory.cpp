@@ -39,7 +39,7 @@ TEST(GroupTheory, GivesTheTabulatedSpeeds) {
         for (std::size_t k = 0; k < speeds.size(); ++k) {
             const double speed = group_theory_speed(material.row(static_cast<double>(k + 1)));
             fmt::print("{} gap {} h: {:.4f} (known {:.3f})\n", material.name, k + 1, speed, speeds[k]);
-            EXPECT_NEAR(speed, speeds[k], 1e-3) << material.name << " gap " << k + 1;
+            EXPECT_NEAR(speed, speeds[k], 5.5e-4) << material.name << " gap " << k + 1;
         }
     }
 }
@@ -64,7 +64,7 @@ TEST(GroupTheory, IsSlowedByFriction) {
 
 TEST(PinnedChain, MeetsTheGroupTheoryWhereImpactsArePlastic) {
     const double chain = pinned_chain_speed(k_curve.row(3.0), 70, 3e-4);
-    EXPECT_NEAR(chain / group_theory_speed(k_curve.row(3.0)), 1.0, 4e-3);
+    EXPECT_NEAR(chain / group_theory_speed(k_curve.row(3.0)), 1.0, 2.5e-3);
 }
 
 // At e = 0.85 the speed varies from pitch to pitch, and with the step: one in a hundred is what two programs share.
