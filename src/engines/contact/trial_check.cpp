@@ -20,6 +20,13 @@ std::optional<RecordedContact> contact_between(const Scene& scene, const Grains&
     return RecordedContact{a, b, contact->point, contact->normal, pose_a.centre, pose_b.centre, contact->depth};
 }
 
+/// Is the line of a piece within a circle's reach? Quicker to tell than whether a grain overlaps the piece.
+bool reaches_line(const Vec2& centre, double radius, const WallPiece& piece) {
+    const Vec2 along = piece.b - piece.a;
+    const double height = cross(along, centre - piece.a);  // times the length
+    return height * height < radius * radius * along.squaredNorm();
+}
+
 /// A point on the side of the piece that the grain belongs to. Nothing overlaps a wall at rest, so there it is where
 /// the grain's centre is; a moving wall may have run over the grain, and acts on its free side, the left, only.
 Vec2 home_side(const WallPiece& piece, bool moves, const Vec2& centre) {
@@ -72,11 +79,12 @@ void TrialCheck::check_walls(const TrialConfiguration& configuration, const Grai
     for (GrainIndex k = 0; k < grains.size(); ++k) {
         const Pose& pose = configuration.trial[Grains::at(k)];
         const Vec2& centre = configuration.current[Grains::at(k)].centre;
-        walls_.find(pose.centre, pairs_.radius(k), near_);
+        const double radius = pairs_.radius(k);
+        walls_.find(pose.centre, radius, near_);
         for (const std::int32_t number : near_) {
             const PlacedPiece& piece = pieces_[static_cast<std::size_t>(number)];
             const Shape& shape = scene_.shape_of(k);
-            if (!overlap(shape, pose, piece.piece)) continue;
+            if (!reaches_line(pose.centre, radius, piece.piece) || !overlap(shape, pose, piece.piece)) continue;
             const Motion& wall = wall_motions_[static_cast<std::size_t>(piece.wall)];
             const Wall& owner = scene_.walls[static_cast<std::size_t>(piece.wall)];
             const PlacedShape placed{shape, pose, motion_of(grains, k)};
