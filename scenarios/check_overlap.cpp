@@ -24,7 +24,7 @@ std::string described(const GrainGroup& group, GrainIndex grain) {
 
 }  // namespace
 
-void check_no_overlap(const Scene& scene, const std::vector<StartPiece>& walls, const std::vector<GrainGroup>& groups) {
+void check_no_overlap(const Scene& scene, const StartWalls& walls, const std::vector<GrainGroup>& groups) {
     std::vector<BoundingCircle> circles;
     std::vector<Pose> poses;
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
@@ -47,20 +47,20 @@ void check_no_overlap(const Scene& scene, const std::vector<StartPiece>& walls, 
             refuse(b, described(group_of(groups, a), a));
         }
     }
-    for (const StartPiece& placed : walls) {
-        const Vec2 low = placed.piece.a.cwiseMin(placed.piece.b);
-        const Vec2 high = placed.piece.a.cwiseMax(placed.piece.b);
-        for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
-            const auto& [centre, radius] = circles[Grains::at(k)];
-            if ((centre.array() + radius < low.array()).any() || (centre.array() - radius > high.array()).any())
-                continue;
-            if (!overlap(scene.shape_of(k), poses[Grains::at(k)], placed.piece)) continue;
-            const Wall& wall = scene.walls[static_cast<std::size_t>(placed.wall)];
-            refuse(k, fmt::format("wall \"{}\" (walls[{}], piece {} from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}))",
-                                  wall.name, placed.wall, placed.segment, placed.piece.a.x(), placed.piece.a.y(),
-                                  placed.piece.b.x(), placed.piece.b.y()));
-        }
+    std::optional<std::int32_t> piece;
+    GrainIndex first = 0;
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+        const auto own = walls.overlapped(scene.shape_of(k), poses[Grains::at(k)]);
+        if (!own || (piece && *piece <= *own)) continue;
+        piece = own;
+        first = k;
     }
+    if (!piece) return;
+    const PlacedPiece& placed = walls.piece(*piece);
+    const Wall& wall = scene.walls[static_cast<std::size_t>(placed.wall)];
+    refuse(first, fmt::format("wall \"{}\" (walls[{}], piece {} from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}))", wall.name,
+                              placed.wall, placed.segment, placed.piece.a.x(), placed.piece.a.y(), placed.piece.b.x(),
+                              placed.piece.b.y()));
 }
 
 }  // namespace polargrain

@@ -5,38 +5,21 @@
 #include <span>
 #include <vector>
 
+#include "scenarios/start_walls.h"
 #include "src/core/vec2.h"
-#include "src/detect/overlap.h"
 #include "src/geometry/pose.h"
 #include "src/geometry/shape.h"
-#include "src/model/wall.h"
 
 namespace polargrain {
 
-/// A straight piece of a wall and which wall it belongs to.
-struct StartPiece {
-    WallPiece piece;
-    int wall = 0;
-    int segment = 0;
-};
-
-/// Where the pieces of all walls are before the first step: those present at time zero, and with `settle` those, too,
-/// that are removed at time zero.
-std::vector<StartPiece> pieces_at_start(std::span<const Wall> walls, bool settle);
-
-/// True where the nearest piece has its free side turned away from the point: the inside of a wall. Beyond the end of
-/// an open chain nothing is behind.
-bool behind_walls(std::span<const StartPiece> pieces, const Vec2& point);
-
 /// A rectangle that grains are put into: knows what is there already and says whether one more fits.
 ///
-/// A grid of cells holds every shape and wall piece in each cell that it can reach, so that a question costs O(1) and
-/// the memory is bounded by the number of grains, however large or thin the rectangle is.
+/// A grid of cells holds every shape in each cell that it can reach, so that a question costs O(1) and the logarithm of
+/// the number of wall pieces; the memory is bounded by the number of grains, however large or thin the rectangle is.
 class FillSpace {
 public:
     /// `count` grains of about `radius` are to come.
-    FillSpace(const Vec2& lower, const Vec2& upper, std::span<const StartPiece> walls, std::size_t count,
-              double radius);
+    FillSpace(const Vec2& lower, const Vec2& upper, const StartWalls& walls, std::size_t count, double radius);
 
     void add(std::shared_ptr<const Shape> shape, const Pose& pose);
 
@@ -60,14 +43,13 @@ private:
     std::size_t cell(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
     }
-    bool clear_of_walls(const Shape& shape, const Pose& pose, double radius, const CellRange& range) const;
 
     Vec2 lower_, upper_;
-    std::span<const StartPiece> walls_;
+    const StartWalls* walls_;
     double cell_size_;
     int columns_, rows_;
     std::vector<Placed> placed_;
-    std::vector<std::vector<int>> grains_in_cell_, pieces_in_cell_;
+    std::vector<std::vector<int>> grains_in_cell_;
 };
 
 /// What a fill is about to place: its own stream of random numbers decides where.

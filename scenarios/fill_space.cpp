@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "scenarios/fill.h"
+#include "src/detect/overlap.h"
 
 namespace polargrain {
 
@@ -16,32 +17,16 @@ double cell_size_for(const Vec2& extent, std::size_t count, double radius) {
 
 int cells_along(double extent, double size) { return std::max(1, static_cast<int>(std::ceil(extent / size))); }
 
-bool within_box(const Vec2& centre, double radius, const WallPiece& piece) {
-    const Vec2 low = piece.a.cwiseMin(piece.b);
-    const Vec2 high = piece.a.cwiseMax(piece.b);
-    return (centre.array() + radius > low.array()).all() && (centre.array() - radius < high.array()).all();
-}
-
 }  // namespace
 
-FillSpace::FillSpace(const Vec2& lower, const Vec2& upper, std::span<const StartPiece> walls, std::size_t count,
-                     double radius)
+FillSpace::FillSpace(const Vec2& lower, const Vec2& upper, const StartWalls& walls, std::size_t count, double radius)
     : lower_(lower),
       upper_(upper),
-      walls_(walls),
+      walls_(&walls),
       cell_size_(cell_size_for(upper - lower, count, radius)),
       columns_(cells_along(upper.x() - lower.x(), cell_size_)),
       rows_(cells_along(upper.y() - lower.y(), cell_size_)),
-      grains_in_cell_(cell(0, rows_)),
-      pieces_in_cell_(cell(0, rows_)) {
-    for (std::size_t k = 0; k < walls_.size(); ++k) {
-        const auto& [a, b] = walls_[k].piece;
-        const CellRange range = cells(a.cwiseMin(b), a.cwiseMax(b));
-        for (int y = range.y0; y <= range.y1; ++y) {
-            for (int x = range.x0; x <= range.x1; ++x) pieces_in_cell_[cell(x, y)].push_back(static_cast<int>(k));
-        }
-    }
-}
+      grains_in_cell_(cell(0, rows_)) {}
 
 FillSpace::CellRange FillSpace::cells(const Vec2& low, const Vec2& high) const {
     const auto index = [&](double offset, int count) {
@@ -80,19 +65,7 @@ bool FillSpace::fits(const Shape& shape, const Pose& pose) const {
             }
         }
     }
-    return clear_of_walls(shape, pose, radius, range) && !behind_walls(walls_, pose.centre);
-}
-
-bool FillSpace::clear_of_walls(const Shape& shape, const Pose& pose, double radius, const CellRange& range) const {
-    for (int y = range.y0; y <= range.y1; ++y) {
-        for (int x = range.x0; x <= range.x1; ++x) {
-            for (const int index : pieces_in_cell_[cell(x, y)]) {
-                const WallPiece& piece = walls_[static_cast<std::size_t>(index)].piece;
-                if (within_box(pose.centre, radius, piece) && overlap(shape, pose, piece)) return false;
-            }
-        }
-    }
-    return true;
+    return !walls_->overlapped(shape, pose) && !walls_->behind(pose.centre, 2.0 * radius);
 }
 
 }  // namespace polargrain

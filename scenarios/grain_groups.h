@@ -27,7 +27,7 @@ std::vector<Grain> read_row(Reading& reading, ShapeBook& shapes, TableReader& ta
 
 /// What the fills need to know beside their table.
 struct FillSurroundings {
-    std::vector<StartPiece> walls;
+    StartWalls walls;
     std::vector<const GrainGroup*> groups;  ///< whose grains are in place
     std::uint64_t fill = 0;                 ///< running number of the fill
 };
@@ -45,6 +45,6 @@ MaterialIndex read_grain_material(const Scene& scene, TableReader& table);
 
 /// Refuses grains that overlap one another or a wall before the first step; names both by id and by where they come
 /// from. Cost: linear in the number of grains.
-void check_no_overlap(const Scene& scene, const std::vector<StartPiece>& walls, const std::vector<GrainGroup>& groups);
+void check_no_overlap(const Scene& scene, const StartWalls& walls, const std::vector<GrainGroup>& groups);
 
 }  // namespace polargrain

@@ -129,8 +129,7 @@ std::vector<GrainGroup> read_grain_groups(Reading& reading, ShapeBook& shapes) {
                                                             source.item.path, k_most_grains));
         }
     }
-    FillSurroundings surroundings{
-        pieces_at_start(reading.scenario.scene.walls, reading.scenario.settle.has_value()), {}, 0};
+    FillSurroundings surroundings{{reading.scenario.scene.walls, reading.scenario.settle.has_value()}, {}, 0};
     std::vector<std::string> resolved(sources.size());
     for (const bool fills : {false, true}) {
         for (std::size_t k = 0; k < sources.size(); ++k) {

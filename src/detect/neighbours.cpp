@@ -100,7 +100,24 @@ void NeighbourSearch::meet_all(GrainIndex self, std::span<const BoundingCircle> 
         const bool mine = other < self || (other > self && !is_changed_[Grains::at(other)]);
         if (mine && do_meet(circle, circles[Grains::at(other)])) pairs.push_back(pair_of(self, other));
     }
-    for (std::int32_t level = 0; level < static_cast<std::int32_t>(level_used_.size()); ++level) {
+    const auto meet_entered = [&](GrainIndex other) {
+        if (is_loose_[Grains::at(other)]) return;
+        if (do_meet(circle, circles[Grains::at(other)])) pairs.push_back(pair_of(self, other));
+    };
+    // A circle so large that it covers more cells of a level than there are circles looks at these instead.
+    const auto levels = static_cast<std::int32_t>(level_used_.size());
+    const auto most_cells = static_cast<double>(entries_.size());
+    std::int32_t first = 0;
+    for (; first < levels; ++first) {
+        const double across = 2.0 * circle.radius / cell_size(first) + 2.0;
+        if (across * across <= most_cells) break;
+    }
+    if (first > 0) {
+        for (const Entry& entry : entries_) {
+            if (entry.level < first) meet_entered(entry.circle);
+        }
+    }
+    for (std::int32_t level = first; level < levels; ++level) {
         if (!level_used_[static_cast<std::size_t>(level)]) continue;
         const double cell = cell_size(level);
         const double reach = circle.radius + 0.5 * cell;  // no circle of the level is larger
@@ -108,10 +125,7 @@ void NeighbourSearch::meet_all(GrainIndex self, std::span<const BoundingCircle> 
         const std::int64_t last_y = cell_of(circle.centre.y() + reach, cell);
         for (std::int64_t x = cell_of(circle.centre.x() - reach, cell); x <= last_x; ++x) {
             for (std::int64_t y = cell_of(circle.centre.y() - reach, cell); y <= last_y; ++y) {
-                each_in(x, y, level, [&](GrainIndex other) {
-                    if (is_loose_[Grains::at(other)]) return;
-                    if (do_meet(circle, circles[Grains::at(other)])) pairs.push_back(pair_of(self, other));
-                });
+                each_in(x, y, level, meet_entered);
             }
         }
     }

@@ -5,30 +5,11 @@
 
 #include "src/detect/contact_finder.h"
 #include "src/detect/neighbours.h"
+#include "src/detect/wall_search.h"
 
 namespace polargrain {
 
 namespace {
-
-/// A wall piece where it is now.
-struct PlacedWallPiece {
-    WallPiece piece;
-    Vec2 lower, upper;
-};
-
-std::vector<PlacedWallPiece> wall_pieces(const Scene& scene, double time) {
-    std::vector<PlacedWallPiece> pieces;
-    for (const Wall& wall : scene.walls) {
-        if (!wall.present(time)) continue;
-        const WallState state = wall_state(wall, time);
-        for (std::size_t k = 1; k < wall.points.size(); ++k) {
-            const Vec2 a = state.point(wall.points[k - 1]);
-            const Vec2 b = state.point(wall.points[k]);
-            pieces.push_back({{a, b}, a.cwiseMin(b), a.cwiseMax(b)});
-        }
-    }
-    return pieces;
-}
 
 double deepest_between_grains(const Scene& scene, const Grains& grains, const std::vector<Pose>& poses) {
     std::vector<BoundingCircle> circles;
@@ -49,19 +30,19 @@ double deepest_between_grains(const Scene& scene, const Grains& grains, const st
 }
 
 double deepest_into_walls(const Scene& scene, const Grains& grains, const std::vector<Pose>& poses, double time) {
-    const std::vector<PlacedWallPiece> pieces = wall_pieces(scene, time);
+    std::vector<PlacedPiece> pieces;
+    place_pieces(scene.walls, time, pieces);
+    WallSearch walls;
+    walls.place(pieces);
     double deepest = 0.0;
     for (GrainIndex k = 0; k < grains.size(); ++k) {
-        const Shape& shape = scene.shape_of(k);
+        const PlacedShape grain{scene.shape_of(k), poses[Grains::at(k)], {}};
         const Vec2 centre = grains.position(k);
-        const Vec2 reach = Vec2::Constant(outer_radius(shape));
-        for (const PlacedWallPiece& wall : pieces) {
-            if (((centre + reach - wall.lower).minCoeff() < 0.0) || ((wall.upper - centre + reach).minCoeff() < 0.0)) {
-                continue;
-            }
-            const auto contact = find_contact({shape, poses[Grains::at(k)], {}}, wall.piece, {}, centre);
+        walls.any_near(centre, outer_radius(grain.shape), [&](std::int32_t number) {
+            const auto contact = find_contact(grain, pieces[static_cast<std::size_t>(number)].piece, {}, centre);
             if (contact) deepest = std::max(deepest, contact->depth);
-        }
+            return false;
+        });
     }
     return deepest;
 }

@@ -49,7 +49,7 @@ TEST(NeighbourSearch, RenewsThePairsOfThoseThatHaveChanged) {
     RandomStream random(53, RandomPurpose::test);
     NeighbourSearch search(2);
     std::vector<GrainPair> pairs;
-    for (const double spread : {1.0, 7.3, 100.0}) {
+    for (const double spread : {1.0, 7.3, 100.0, 3000.0}) {
         auto circles = random_circles(random, 400, spread, Vec2(-7.0, 3.0));
         search.find_pairs(circles, pairs);
         for (int round = 0; round < 40; ++round) {

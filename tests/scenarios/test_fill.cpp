@@ -198,6 +198,35 @@ TEST(Fill, StaysInFrontOfWalls) {
     }
 }
 
+/// A closed drum of n segments about (0.5, 0.5).
+std::string drum_of(int n) {
+    std::string points;
+    for (int k = 0; k <= n; ++k) {
+        const double angle = 2.0 * k_pi * (k % n) / n;
+        points += fmt::format("{}[{:.17g}, {:.17g}]", k > 0 ? ", " : "", 0.5 + 0.5 * std::cos(angle),
+                              0.5 + 0.5 * std::sin(angle));
+    }
+    return replaced(box_with(fill_of(150, 1.0, "shapes = [\"disk\"]")),
+                    "[[0.0, 3.0], [0.0, 0.0], [1.0, 0.0], [1.0, 3.0]]", "[" + points + "]");
+}
+
+// Corners, of which there are many here, face halfway between the two pieces that meet there.
+TEST(Fill, StaysInsideOfDrumsOfManySegments) {
+    for (const int n : {3, 17, 200, 2000}) {
+        const Scene scene = load_text(drum_of(n)).scene;
+        ASSERT_EQ(scene.grains.size(), 150);
+        const double inscribed = 0.5 * std::cos(k_pi / n);
+        for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+            const Vec2 p = scene.grains.position(k) - Vec2(0.5, 0.5);
+            for (int s = 0; s < n; ++s) {
+                const double angle = 2.0 * k_pi * (s + 0.5) / n;
+                const double depth = inscribed - p.dot(Vec2(std::cos(angle), std::sin(angle)));
+                ASSERT_GT(depth, k_radius * (1.0 - 1e-6)) << "grain " << k << " in a drum of " << n;
+            }
+        }
+    }
+}
+
 TEST(Fill, RefusesWhatCannotFit) {
     EXPECT_THAT(complaint(box_with(fill_of(4000, 1.0, "shapes = [\"disk\"]"))),
                 AllOf(HasSubstr("case.toml:23:9: fill[0].count: the 4000 grains cover 1.257 m^2"),

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/engines/contact/wall_pieces.h"
+#include "src/detect/wall_pieces.h"
 #include "src/model/contact_law.h"
 
 namespace polargrain {
@@ -51,7 +51,7 @@ void ContactStage::process(const std::vector<RecordedContact>& contacts, World& 
 
 void ContactStage::prepare(const std::vector<RecordedContact>& contacts, World& world) {
     walls_.clear();
-    for (const Wall& wall : scene_.walls) walls_.push_back(wall_motion(wall, world.time));
+    for (const Wall& wall : scene_.walls) walls_.push_back(wall_motion(wall_state(wall, world.time)));
 
     prepared_.clear();
     if (prepared_.capacity() < contacts.size()) {

@@ -8,15 +8,6 @@ namespace polargrain {
 
 namespace {
 
-Joint joint_between(const Vec2& before, const Vec2& at, const Vec2& after) {
-    const Vec2 in = unit(at - before);
-    const Vec2 out = unit(after - at);
-    const double turn = cross(in, out);
-    constexpr double k_straight = 1e-9;
-    if (std::abs(turn) < k_straight && in.dot(out) > 0.0) return Joint::straight;
-    return turn > 0.0 ? Joint::left_turn : Joint::right_turn;
-}
-
 bool before_pair(const PairContacts& p, const PairContacts& q) {
     const bool wall_p = is_wall(p.j);
     const bool wall_q = is_wall(q.j);
@@ -34,7 +25,8 @@ void PoseSet::resize(std::size_t n) {
     pose.resize(n);
 }
 
-GapDetection::GapDetection(const Scene& scene) : scene_(scene), parallel_(std::max(1, scene.threads)), list_(scene) {
+GapDetection::GapDetection(const Scene& scene)
+    : scene_(scene), parallel_(std::max(1, scene.threads)), list_(scene), walls_(scene) {
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         diameter_.push_back(outer_radius(scene.shape_of(k)) + inner_radius(scene.shape_of(k)));
     }
@@ -50,37 +42,6 @@ double GapDetection::margin(BodyIndex i, BodyIndex j) const {
     const double ahead =
         is_wall(j) ? look_ahead_[Grains::at(i)] : std::max(look_ahead_[Grains::at(i)], look_ahead_[Grains::at(j)]);
     return resting_gap(i, j) + gravity_way_ + ahead;
-}
-
-void GapDetection::place_walls(double time_before, double time_now) {
-    pieces_.clear();
-    wall_speed_.assign(scene_.walls.size(), 0.0);
-    for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
-        const Wall& wall = scene_.walls[w];
-        if (!wall.present(time_now)) continue;
-        wall_speed_[w] = largest_speed(wall);
-        const WallState now = wall_state(wall, time_now);
-        const WallState before = wall_state(wall, time_before);
-        const auto& p = wall.points;
-        const std::size_t last = p.size() - 1;
-        const bool closed = (p.front() - p.back()).squaredNorm() == 0.0 && p.size() > 3;
-        for (std::size_t k = 0; k < last; ++k) {
-            Piece piece;
-            piece.wall = static_cast<int>(w);
-            piece.geometry.one_sided = wall.moves();
-            GapPiece& g = piece.geometry;
-            g.now = {now.point(p[k]), now.point(p[k + 1])};
-            g.before = {before.point(p[k]), before.point(p[k + 1])};
-            g.before_a = g.now.a;
-            if (k > 0 || closed) {
-                const Vec2& earlier = k > 0 ? p[k - 1] : p[last - 1];
-                g.at_a = joint_between(earlier, p[k], p[k + 1]);
-                g.before_a = now.point(earlier);
-            }
-            if (k + 1 < last || closed) g.at_b = joint_between(p[k], p[k + 1], k + 1 < last ? p[k + 2] : p[1]);
-            pieces_.push_back(piece);
-        }
-    }
 }
 
 /// How far ahead to look: per grain, dt times the largest speed at which a grain that it may meet in a step, or a wall,
@@ -108,17 +69,21 @@ void GapDetection::find_agitation(const PoseSet& now, const std::vector<SolverBo
     }
     const auto look_at_walls = [&](GrainIndex k) {
         const double own = dt * (std::sqrt(bodies[Grains::at(k)].velocity.squaredNorm()) + surface_speed(k));
-        const double radius = list_.radius(k);
-        for (const Piece& piece : pieces_) {
-            const double ahead = own + dt * wall_speed_[static_cast<std::size_t>(piece.wall)];
-            if (ahead <= look_ahead_[Grains::at(k)]) continue;
-            const Vec2 along = piece.geometry.now.b - piece.geometry.now.a;
-            const Vec2 from = now.centre[Grains::at(k)] - piece.geometry.now.a;
+        const double rest = list_.radius(k) + gravity_way_ + k_resting * diameter_[Grains::at(k)];
+        const double most_ahead = own + dt * walls_.top_speed();
+        if (most_ahead <= look_ahead_[Grains::at(k)]) return;
+        walls_.search().any_near(now.centre[Grains::at(k)], rest + most_ahead, [&](std::int32_t number) {
+            const double ahead = own + dt * walls_.speed(number);
+            if (ahead <= look_ahead_[Grains::at(k)]) return false;
+            const WallPiece& piece = walls_.geometry(number).now;
+            const Vec2 along = piece.b - piece.a;
+            const Vec2 from = now.centre[Grains::at(k)] - piece.a;
             const double length2 = along.squaredNorm();
-            const double reach = radius + ahead + gravity_way_ + k_resting * diameter_[Grains::at(k)];
+            const double reach = list_.radius(k) + ahead + gravity_way_ + k_resting * diameter_[Grains::at(k)];
             const double s = std::clamp(from.dot(along) / length2, 0.0, 1.0);
             if ((from - s * along).squaredNorm() < reach * reach) look_ahead_[Grains::at(k)] = ahead;
-        }
+            return false;
+        });
     };
     each_grain([&](std::size_t k) { look_at_walls(static_cast<GrainIndex>(k)); });
 }
@@ -193,13 +158,21 @@ void GapDetection::detect_pair(Share& share, const PoseSet& before, const PoseSe
     store(share, {b, a, -1, 0, 0, overlapping}, share.scratch);
 }
 
+/// The pieces that a grain has to do with: the same for a grain that has not moved and looks as far ahead as before.
+void GapDetection::find_near_walls(Share& share, const PoseSet& now, GrainIndex k) const {
+    constexpr BodyIndex k_any_wall = -1;
+    constexpr double k_corner = 1.415;  // what detect_wall looks at is a rectangle, whose corners are farther away
+    const double reach = list_.radius(k) + margin(k, k_any_wall);
+    walls_.search().find(now.pose[Grains::at(k)].centre, k_corner * reach, share.near);
+}
+
 void GapDetection::detect_wall(Share& share, const PoseSet& before, const PoseSet& now, GrainIndex k,
-                               std::int32_t index) const {
-    const Piece& piece = pieces_[static_cast<std::size_t>(index)];
+                               std::int32_t number) const {
+    const GapPiece& piece = walls_.geometry(number);
     const Pose& pose = now.pose[Grains::at(k)];
-    const BodyIndex wall = wall_body(piece.wall);
+    const BodyIndex wall = wall_body(walls_.wall(number));
     const GapRules rules{margin(k, wall), resting_gap(k, wall)};
-    const WallPiece& at = piece.geometry.now;
+    const WallPiece& at = piece.now;
     const Vec2 along = at.b - at.a;
     const Vec2 from = pose.centre - at.a;
     const double reach = list_.radius(k) + rules.margin;
@@ -208,14 +181,14 @@ void GapDetection::detect_wall(Share& share, const PoseSet& before, const PoseSe
     const double station = from.dot(along) / length;
     if (station <= -reach || station >= length + reach) return;
     share.scratch.clear();
-    find_gap_points(scene_.shape_of(k), pose, before.pose[Grains::at(k)], piece.geometry, rules, share.scratch);
-    store(share, {k, wall, index, 0, 0, overlap(scene_.shape_of(k), pose, at)}, share.scratch);
+    find_gap_points(scene_.shape_of(k), pose, before.pose[Grains::at(k)], piece, rules, share.scratch);
+    store(share, {k, wall, number, 0, 0, overlap(scene_.shape_of(k), pose, at)}, share.scratch);
 }
 
 void GapDetection::detect(const PoseSet& before, const PoseSet& now, const std::vector<SolverBody>& bodies,
                           double time_before, double time_now, double dt) {
     gravity_way_ = 2.0 * std::sqrt(scene_.gravity.squaredNorm()) * dt * dt;
-    place_walls(time_before, time_now);
+    walls_.place(time_before, time_now);
     // First every pair that its own motion may bring together, then every pair that a neighbour's may.
     clearance_.resize(look_ahead_.size());
     each_grain([&](std::size_t k) {
@@ -278,9 +251,9 @@ void GapDetection::detect_moved(const PoseSet& before, const PoseSet& now, const
                 const auto [a, b] = pairs[n];
                 if (moved[Grains::at(a)] || moved[Grains::at(b)]) detect_pair(share, before, now, a, b);
             } else if (moved[n]) {
-                for (std::size_t p = 0; p < pieces_.size(); ++p) {
-                    detect_wall(share, before, now, static_cast<GrainIndex>(n), static_cast<std::int32_t>(p));
-                }
+                const auto k = static_cast<GrainIndex>(n);
+                find_near_walls(share, now, k);
+                for (const std::int32_t piece : share.near) detect_wall(share, before, now, k, piece);
             }
         }
     });
@@ -396,7 +369,7 @@ void GapDetection::detect_all(const PoseSet& before, const PoseSet& now) {
     }
     in_order_ = found_.points.size();
     seen_ = now.pose;
-    seen_pieces_ = pieces_.size();
+    seen_pieces_ = walls_.size();
 }
 
 void GapDetection::detect_pairs(Share& share, std::span<const GrainPair> pairs, const PoseSet& before,
@@ -413,15 +386,15 @@ void GapDetection::detect_pairs(Share& share, std::span<const GrainPair> pairs, 
 
 void GapDetection::detect_walls(Share& share, GrainIndex first, GrainIndex last, const PoseSet& before,
                                 const PoseSet& now) const {
-    const bool pieces_changed = pieces_.size() != seen_pieces_;  // they keep their numbers otherwise
+    const bool pieces_changed = walls_.size() != seen_pieces_;  // they keep their numbers otherwise
     share.cursor = 0;
     for (GrainIndex k = first; k < last; ++k) {
-        for (std::size_t p = 0; p < pieces_.size(); ++p) {
-            const auto piece = static_cast<std::int32_t>(p);
-            if (moved_[Grains::at(k)] || pieces_changed || pieces_[p].geometry.one_sided) {
+        find_near_walls(share, now, k);
+        for (const std::int32_t piece : share.near) {
+            if (moved_[Grains::at(k)] || pieces_changed || walls_.geometry(piece).one_sided) {
                 detect_wall(share, before, now, k, piece);
             } else {
-                keep(share, {k, wall_body(pieces_[p].wall), piece});
+                keep(share, {k, wall_body(walls_.wall(piece)), piece});
             }
         }
     }

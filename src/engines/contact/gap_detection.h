@@ -7,6 +7,7 @@
 #include "src/detect/gap_points.h"
 #include "src/detect/pair_list.h"
 #include "src/engines/contact/gap_contact.h"
+#include "src/engines/contact/gap_walls.h"
 #include "src/model/scene.h"
 
 namespace polargrain {
@@ -70,7 +71,6 @@ private:
             for (std::size_t k = first; k < last; ++k) work(k);
         });
     }
-    void place_walls(double time_before, double time_now);
     void find_agitation(const PoseSet& now, const std::vector<SolverBody>& bodies, double dt);
     double margin(BodyIndex i, BodyIndex j) const;
     void find_moved(const PoseSet& before, const PoseSet& now);
@@ -93,6 +93,7 @@ private:
     struct Share {
         Found found;
         std::vector<GapPoint> scratch;
+        std::vector<std::int32_t> near;               ///< wall pieces
         std::size_t cursor = 0;                       ///< in the last detection's pairs
         std::size_t first_point = 0, first_pair = 0;  ///< where its finds go
     };
@@ -108,25 +109,20 @@ private:
     void detect_pair(Share& share, const PoseSet& before, const PoseSet& now, GrainIndex a, GrainIndex b) const;
     bool still_apart(double clearance, const PoseSet& before, const PoseSet& now, GrainIndex a, GrainIndex b) const;
     void find_turn(const PoseSet& before, const PoseSet& now, std::size_t k);
+    void find_near_walls(Share& share, const PoseSet& now, GrainIndex k) const;
     void detect_wall(Share& share, const PoseSet& before, const PoseSet& now, GrainIndex k, std::int32_t piece) const;
     static void store(Share& share, const PairContacts& pair, std::span<const GapPoint> points);
-
-    struct Piece {
-        int wall;
-        GapPiece geometry;
-    };
 
     const Scene& scene_;
     Parallel parallel_;
     PairList list_;
+    GapWalls walls_;
     std::vector<double> diameter_;
     std::vector<double> look_ahead_;  ///< per grain: dt x the largest speed relative to anything near [m]
     std::vector<double> pair_way_;    ///< per listed pair: the same of the two alone; 0 if they cannot meet
     std::vector<double> clearance_;
     std::vector<double> turn_way_;  ///< per grain: how far its turn since `before` has taken any point of it [m]
-    std::vector<Piece> pieces_;
-    std::vector<double> wall_speed_;
-    double gravity_way_ = 0.0;  ///< 2 g dt^2
+    double gravity_way_ = 0.0;      ///< 2 g dt^2
     Found found_;
     std::vector<Share> shares_;
     Found ordered_;  ///< to put points in order in

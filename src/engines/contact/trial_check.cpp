@@ -1,6 +1,7 @@
 #include "src/engines/contact/trial_check.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace polargrain {
 
@@ -19,10 +20,20 @@ std::optional<RecordedContact> contact_between(const Scene& scene, const Grains&
     return RecordedContact{a, b, contact->point, contact->normal, pose_a.centre, pose_b.centre, contact->depth};
 }
 
+/// Is the line of a piece within a circle's reach? Quicker to tell than whether a grain overlaps the piece.
+bool reaches_line(const Vec2& centre, double radius, const WallPiece& piece) {
+    const Vec2 along = piece.b - piece.a;
+    const double height = cross(along, centre - piece.a);  // times the length
+    return height * height < radius * radius * along.squaredNorm();
+}
+
 /// A point on the side of the piece that the grain belongs to. Nothing overlaps a wall at rest, so there it is where
 /// the grain's centre is; a moving wall may have run over the grain, and acts on its free side, the left, only.
-Vec2 home_side(const PlacedPiece& piece, const Vec2& centre) {
-    return piece.moves ? Vec2(piece.piece.a + left_normal(piece.along) * piece.length) : centre;
+Vec2 home_side(const WallPiece& piece, bool moves, const Vec2& centre) {
+    if (!moves) return centre;
+    const double length = std::sqrt((piece.b - piece.a).squaredNorm());
+    const Vec2 along = (piece.b - piece.a) / length;
+    return piece.a + left_normal(along) * length;
 }
 
 bool by_bodies(const RecordedContact& p, const RecordedContact& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); }
@@ -61,25 +72,27 @@ void TrialCheck::run(const TrialConfiguration& configuration, const Grains& grai
 
 void TrialCheck::check_walls(const TrialConfiguration& configuration, const Grains& grains, double time,
                              double trial_time, std::vector<RecordedContact>& contacts) {
-    place_pieces(scene_, trial_time, pieces_);
+    place_pieces(scene_.walls, trial_time, pieces_);
+    walls_.place(pieces_);
     wall_motions_.clear();
-    for (const Wall& wall : scene_.walls) wall_motions_.push_back(wall_motion(wall, trial_time));
+    for (const Wall& wall : scene_.walls) wall_motions_.push_back(wall_motion(wall_state(wall, trial_time)));
     for (GrainIndex k = 0; k < grains.size(); ++k) {
         const Pose& pose = configuration.trial[Grains::at(k)];
+        const Vec2& centre = configuration.current[Grains::at(k)].centre;
         const double radius = pairs_.radius(k);
-        for (const PlacedPiece& piece : pieces_) {
-            if (!piece.near(pose.centre, radius)) continue;
+        walls_.find(pose.centre, radius, near_);
+        for (const std::int32_t number : near_) {
+            const PlacedPiece& piece = pieces_[static_cast<std::size_t>(number)];
             const Shape& shape = scene_.shape_of(k);
-            if (!overlap(shape, pose, piece.piece)) continue;
+            if (!reaches_line(pose.centre, radius, piece.piece) || !overlap(shape, pose, piece.piece)) continue;
             const Motion& wall = wall_motions_[static_cast<std::size_t>(piece.wall)];
+            const Wall& owner = scene_.walls[static_cast<std::size_t>(piece.wall)];
             const PlacedShape placed{shape, pose, motion_of(grains, k)};
-            const auto contact =
-                find_contact(placed, piece.piece, wall, home_side(piece, configuration.current[Grains::at(k)].centre));
+            const auto contact = find_contact(placed, piece.piece, wall, home_side(piece.piece, owner.moves(), centre));
             if (!contact) continue;
             contacts.push_back(
                 {wall_body(piece.wall), k, contact->point, contact->normal, Vec2::Zero(), pose.centre, contact->depth});
-            const Wall& owner = scene_.walls[static_cast<std::size_t>(piece.wall)];
-            if (piece.moves && recedes(placed, *contact, owner, time, trial_time - time)) continue;
+            if (owner.moves() && recedes(placed, *contact, owner, time, trial_time - time)) continue;
             overlaps_.blocked[Grains::at(k)] = 1;
         }
     }

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "src/detect/contact_finder.h"
 #include "src/detect/pair_list.h"
+#include "src/detect/wall_search.h"
 #include "src/engines/contact/motion_update.h"
 #include "src/engines/contact/recorded_contact.h"
-#include "src/engines/contact/wall_pieces.h"
 #include "src/model/scene.h"
 
 namespace polargrain {
@@ -48,7 +49,9 @@ private:
 
     const Scene& scene_;
     PairList pairs_;
+    WallSearch walls_;
     std::vector<PlacedPiece> pieces_;
+    std::vector<std::int32_t> near_;
     std::vector<Motion> wall_motions_;
     TrialOverlaps overlaps_;
 };

@@ -59,19 +59,26 @@ void Candidates::rebuild(std::span<const double> x, const SoftWalls& walls) {
     finder_.find_pairs(circles_, pairs_);
 
     walls_at_.clear();
+    for (const SoftPiece& piece : walls.pieces()) walls_at_.insert(walls_at_.end(), {piece.a, piece.b});
+    find_at_walls(walls.pieces());
+}
+
+void Candidates::find_at_walls(const std::vector<SoftPiece>& pieces) {
+    placed_.clear();
+    for (const SoftPiece& piece : pieces) placed_.push_back({{piece.a, piece.b}, piece.wall, 0});
+    wall_search_.place(placed_);
     at_walls_.clear();
-    const std::vector<SoftPiece>& pieces = walls.pieces();
-    for (const SoftPiece& piece : pieces) walls_at_.insert(walls_at_.end(), {piece.a, piece.b});
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        for (std::size_t k = 0; k < circles_.size(); ++k) {
-            const Vec2 from = circles_[k].centre - pieces[p].a;
+    for (std::size_t k = 0; k < circles_.size(); ++k) {
+        wall_search_.find(circles_[k].centre, circles_[k].radius, near_);
+        for (const std::int32_t number : near_) {
+            const SoftPiece& piece = pieces[static_cast<std::size_t>(number)];
+            const Vec2 from = circles_[k].centre - piece.a;
             const double reach = circles_[k].radius;
-            const double station = pieces[p].along.dot(from);
-            if (std::abs(cross(pieces[p].along, from)) >= reach || station <= -reach ||
-                station >= pieces[p].length + reach) {
+            const double station = piece.along.dot(from);
+            if (std::abs(cross(piece.along, from)) >= reach || station <= -reach || station >= piece.length + reach) {
                 continue;
             }
-            at_walls_.push_back({static_cast<std::int32_t>(p), static_cast<GrainIndex>(k)});
+            at_walls_.push_back({number, static_cast<GrainIndex>(k)});
         }
     }
     // Pieces stand in the order of their bodies; within a wall by grain, then by piece.

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "src/detect/wall_search.h"
 #include "src/engines/dem/numbering.h"
 #include "src/engines/dem/pair_search.h"
 #include "src/engines/dem/soft_walls.h"
@@ -33,6 +34,7 @@ public:
 private:
     bool still_good(std::span<const double> x, const SoftWalls& walls) const;
     void rebuild(std::span<const double> x, const SoftWalls& walls);
+    void find_at_walls(const std::vector<SoftPiece>& pieces);
 
     const Scene& scene_;
     PairFinder finder_;
@@ -45,6 +47,9 @@ private:
     std::vector<Vec2> walls_at_;
     std::vector<BoundingCircle> circles_;
     std::vector<GrainPair> pairs_;
+    WallSearch wall_search_;
+    std::vector<PlacedPiece> placed_;
+    std::vector<std::int32_t> near_;
     std::vector<WallCandidate> at_walls_;
 };
 

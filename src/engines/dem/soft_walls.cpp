@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "src/detect/wall_pieces.h"
+
 namespace polargrain {
 
 namespace {
@@ -56,7 +58,7 @@ void SoftWalls::place(double time) {
     std::vector<WallState> states;
     for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
         states.push_back(wall_state(scene_.walls[w], time));
-        motions_[w] = {states[w].velocity_at(Vec2::Zero()), states[w].spin};
+        motions_[w] = wall_motion(states[w]);
     }
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
         SoftPiece& piece = pieces_[k];
