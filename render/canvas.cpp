@@ -106,10 +106,17 @@ Canvas::~Canvas() {
 void Canvas::finish() {
     check(cairo_status(context_));
     check(cairo_surface_status(surface_));
-    if (pixels_) {
-        write_png(surface_, path_);
-        return;
+    try {
+        pixels_ ? write_png(surface_, path_) : write_vectors();
+    } catch (const RunError&) {
+        // Half a picture is none.
+        std::error_code left;
+        if (std::filesystem::is_regular_file(path_, left)) std::filesystem::remove(path_, left);
+        throw;
     }
+}
+
+void Canvas::write_vectors() {
     cairo_surface_finish(surface_);
     check(cairo_surface_status(surface_));
     TextFile file(path_);

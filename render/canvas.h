@@ -39,6 +39,7 @@ public:
 private:
     void make_white();
     void check(cairo_status_t status) const;
+    void write_vectors();
 
     std::filesystem::path path_;
     Rect sheet_;

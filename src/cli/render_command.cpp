@@ -9,10 +9,10 @@
 #include "render/movie.h"
 #include "scenarios/reader.h"
 #include "src/cli/commands.h"
-#include "src/cli/folder_lock.h"
 #include "src/cli/progress_display.h"
 #include "src/cli/run_folder.h"
 #include "src/core/error.h"
+#include "src/record/folder_lock.h"
 #include "src/record/text_file.h"
 #include "src/run/progress.h"
 
@@ -121,7 +121,8 @@ public:
         : folder_(std::move(folder)),
           format_(std::move(format)),
           style_(std::move(style)),
-          index_((make_folder(folder_), folder_ / "index.csv")) {
+          lock_((make_folder(folder_), folder_)),
+          index_((remove_frames(folder_), folder_ / "index.csv")) {
         index_.write("file,time,step\n");
     }
     void add(const Picture& picture, std::int64_t step) override {
@@ -135,6 +136,7 @@ private:
     fs::path folder_;
     std::string format_;
     FrameStyle style_;
+    FolderLock lock_;  ///< two that draw into one folder would mix their frames
     TextFile index_;
     int count_ = 0;
 };
@@ -150,7 +152,6 @@ std::unique_ptr<Output> open_output(const RenderRequest& request, const fs::path
     }
     require(!fs::exists(place) || fs::is_directory(place), "{}: is a file; give a folder for the frames with -o",
             place.string());
-    if (filled) remove_frames(place);
     return std::make_unique<FolderOutput>(place, format, style);
 }
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include "src/cli/commands.h"
-#include "src/cli/folder_lock.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/run_session.h"
 #include "src/cli/shell_words.h"
 #include "src/core/error.h"
+#include "src/record/folder_lock.h"
 
 namespace polargrain {
 

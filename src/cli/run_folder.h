@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "src/cli/folder_lock.h"
+#include "src/record/folder_lock.h"
 
 namespace polargrain {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include "src/cli/folder_lock.h"
 #include "src/cli/prepared_run.h"
 #include "src/record/checkpoint_file.h"
+#include "src/record/folder_lock.h"
 
 namespace polargrain {
 

@@ -2,8 +2,8 @@
 
 #include "render/contact_sheet.h"
 #include "src/cli/commands.h"
-#include "src/cli/folder_lock.h"
 #include "src/core/error.h"
+#include "src/record/folder_lock.h"
 
 namespace polargrain {
 

@@ -13,7 +13,6 @@
 
 #include "scenarios/sweep_plan.h"
 #include "src/cli/commands.h"
-#include "src/cli/folder_lock.h"
 #include "src/cli/interrupt.h"
 #include "src/cli/messages.h"
 #include "src/cli/prepared_run.h"
@@ -22,6 +21,7 @@
 #include "src/cli/shell_words.h"
 #include "src/core/child_process.h"
 #include "src/core/error.h"
+#include "src/record/folder_lock.h"
 #include "src/record/text_file.h"
 
 namespace polargrain {

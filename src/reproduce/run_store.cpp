@@ -12,6 +12,7 @@
 
 #include "src/core/child_process.h"
 #include "src/core/error.h"
+#include "src/record/folder_lock.h"
 #include "src/record/text_file.h"
 
 namespace polargrain {
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds k_look_again{20};
+constexpr const char* k_part = ".part";
 
 std::string contents(const fs::path& path) {
     std::ifstream file(path);
@@ -29,16 +31,18 @@ std::string contents(const fs::path& path) {
     return text.str();
 }
 
-/// A piece while its program runs. Everything stands in a folder of this process, so that two that reproduce into the
-/// same place do not meet.
+/// A piece while its program runs. Everything stands in a folder of this process, which holds it as long as it lives:
+/// two that reproduce into the same place do not meet, and what one leaves that is killed can be told from work in
+/// progress.
 class RunningPiece {
 public:
     RunningPiece(const Piece& piece, fs::path final_folder, const fs::path& program)
         : name_(piece.name),
           final_(std::move(final_folder)),
-          part_(final_.string() + fmt::format(".part{}", getpid())) {
+          part_(final_.string() + fmt::format("{}{}", k_part, getpid())) {
         fs::remove_all(part_);
         make_folder(part_);
+        lock_ = std::make_unique<FolderLock>(part_);
         TextFile scenario(part_ / "piece.toml");
         scenario.write(piece.scenario);
         scenario.close();
@@ -72,8 +76,19 @@ public:
 private:
     std::string name_;
     fs::path final_, part_;
+    std::unique_ptr<FolderLock> lock_;
     std::unique_ptr<ChildProcess> child_;
 };
+
+/// Pieces of a process that was killed. Their programs may be going on: without a folder they end, too.
+void remove_abandoned(const fs::path& folder) {
+    std::vector<fs::path> abandoned;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const bool part = entry.path().extension().string().starts_with(k_part);
+        if (part && entry.is_directory() && FolderLock::is_free(entry.path())) abandoned.push_back(entry.path());
+    }
+    for (const fs::path& part : abandoned) fs::remove_all(part);
+}
 
 }  // namespace
 
@@ -97,6 +112,7 @@ bool RunStore::complete(const std::vector<Piece>& pieces, int jobs, const std::a
     }
     if (missing.empty()) return true;
     make_folder(folder_);
+    remove_abandoned(folder_);
     StoreProgress progress{0, missing.size(), "", 0.0};
     show(progress);
     const auto start = std::chrono::steady_clock::now();

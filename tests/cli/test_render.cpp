@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "src/record/folder_lock.h"
 #include "tests/cli/program_runner.h"
 #include "tests/cli/small_scenarios.h"
 
@@ -69,6 +70,16 @@ TEST_F(Render, TakesTheFramesThatAreAskedFor) {
     EXPECT_EQ(none.exit_code, 2);
     EXPECT_THAT(none.err, HasSubstr("from 0 s to 0.05 s"));
     EXPECT_FALSE(fs::exists(scratch_ / "none"));
+}
+
+TEST_F(Render, LeavesAFolderAloneInWhichAnotherDraws) {
+    fs::create_directory(scratch_ / "drawn");
+    scratch_.write("drawn/000000.png", "of another");
+    const FolderLock lock(scratch_ / "drawn");
+    const Outcome refused = polargrain({"render", "run", "-o", "drawn", "--force"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("drawn: another polargrain is running in this folder"));
+    EXPECT_EQ(read_file(scratch_ / "drawn" / "000000.png"), "of another");
 }
 
 TEST_F(Render, WritesVectors) {

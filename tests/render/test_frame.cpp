@@ -273,6 +273,7 @@ TEST(PictureFile, OnAFullDiskIsAnErrorByNameWhateverItsFormat) {
         }
         setrlimit(RLIMIT_FSIZE, &before);
         EXPECT_NE(message.find(name), std::string::npos) << name << ": " << message;
+        EXPECT_FALSE(std::filesystem::exists(folder / name)) << "half a picture";
     }
     std::signal(SIGXFSZ, previous);
 }

@@ -8,6 +8,7 @@
 #include "src/core/error.h"
 #include "src/engines/contact/contact_1994.h"
 #include "src/engines/contact/contact_engine.h"
+#include "src/record/folder_lock.h"
 #include "src/reproduce/dominoes.h"
 #include "src/reproduce/reproduce.h"
 #include "src/reproduce/simulation_figures.h"
@@ -89,6 +90,18 @@ TEST_F(Reproduced, AStopLosesOnlyWhatIsInProgress) {
     int left = 0;
     for (const auto& entry : fs::directory_iterator(folder_ / "runs")) left += entry.is_directory();
     EXPECT_EQ(left, 1) << "the folder of the one in progress is gone";
+}
+
+TEST_F(Reproduced, WhatAKilledProcessLeftGoesAndWhatAnotherWorksAtStays) {
+    const RunStore store(folder_ / "runs", program("mkdir -p $4 && echo {} > $4/summary.json"), {refined()});
+    const fs::path left = store.folder_of(k_two[0]).string() + ".part12345";
+    const fs::path held = store.folder_of(k_two[1]).string() + ".part23456";
+    for (const fs::path& part : {left, held}) fs::create_directories(part / "run");
+    const FolderLock lock(held);
+    EXPECT_TRUE(store.complete(k_two, 2, k_go_on, ignore));
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_TRUE(fs::exists(held));
+    EXPECT_TRUE(store.finished(k_two[0]) && store.finished(k_two[1]));
 }
 
 TEST_F(Reproduced, AStopDoesNotWaitForARunThatDoesNotListen) {

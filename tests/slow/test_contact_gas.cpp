@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -164,7 +164,10 @@ TEST_P(CoolingGas, FollowsHaffsLaw) {
 
 INSTANTIATE_TEST_SUITE_P(Restitutions, CoolingGas,
                          ::testing::Values(CoolingCase{0.95, 0.3, 0.01}, CoolingCase{0.9, 0.1, 0.01},
-                                           CoolingCase{0.9, 0.3, 0.02}));
+                                           CoolingCase{0.9, 0.3, 0.02}),
+                         [](const auto& c) {
+                             return fmt::format("e_{:.0f}_phi_{:.0f}_percent", 100.0 * c.param.e, 100.0 * c.param.phi);
+                         });
 
 }  // namespace
 }  // namespace polargrain

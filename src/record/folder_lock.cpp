@@ -1,4 +1,4 @@
-#include "src/cli/folder_lock.h"
+#include "src/record/folder_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
