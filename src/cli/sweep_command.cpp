@@ -6,7 +6,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <thread>
 #include <vector>
@@ -22,12 +22,12 @@
 #include "src/core/child_process.h"
 #include "src/core/error.h"
 #include "src/record/folder_lock.h"
+#include "src/record/summary_reader.h"
 #include "src/record/text_file.h"
 
 namespace polargrain {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -52,18 +52,19 @@ struct Job {
     bool begun() const { return content_of(folder / "scenario.toml") == scenario; }
     /// Whether its folder holds a run of another scenario.
     bool of_another() const { return fs::exists(folder / "scenario.toml") && !begun(); }
-    /// An empty object where there is none yet, or one that is damaged.
-    Json summary() const {
-        Json found = Json::parse(content_of(folder / "summary.json"), nullptr, false);
-        const auto has = [&found](const char* key, Json::value_t type) {
-            return found.contains(key) && found[key].type() == type;
-        };
-        const bool whole = found.is_object() && has("interrupted", Json::value_t::boolean) &&
-                           has("observables", Json::value_t::object) && has("engine", Json::value_t::string) &&
-                           has("state_hash", Json::value_t::string);
-        return whole ? found : Json::object();
+    /// None where there is none yet, or one that is damaged.
+    std::optional<StoredSummary> summary() const {
+        try {
+            return read_summary(folder);
+        } catch (const InputError&) {
+            return std::nullopt;
+        }
     }
-    bool completed() const { return begun() && !summary().value("interrupted", true); }
+    bool completed() const {
+        if (!begun()) return false;
+        const std::optional<StoredSummary> found = summary();
+        return found && found->completed;
+    }
 };
 
 std::vector<Job> jobs_of(const SweepPlan& plan, const fs::path& folder) {
@@ -166,18 +167,14 @@ bool run_all(Schedule& schedule, std::int64_t count, bool quiet) {
     return true;
 }
 
-std::string number_text(const Json& value) {
-    return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
-}
-
 /// A row for each run; a column for each parameter and each observable that any run has; empty where one has no value.
 std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
-    std::vector<Json> summaries;
+    std::vector<std::optional<StoredSummary>> summaries;
     std::set<std::string> observables;
     for (const Job& job : jobs) {
-        summaries.push_back(job.done ? job.summary() : Json::object());
-        const Json values = summaries.back().value("observables", Json::object());
-        for (auto entry = values.begin(); entry != values.end(); ++entry) observables.insert(entry.key());
+        summaries.push_back(job.done ? job.summary() : std::nullopt);
+        if (!summaries.back()) continue;
+        for (const auto& [name, value] : summaries.back()->observables) observables.insert(name);
     }
     std::string table = "run";
     for (const SweepPlan::Parameter& parameter : plan.parameters) table += "," + csv_field(parameter.key);
@@ -187,15 +184,15 @@ std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
     for (std::size_t k = 0; k < jobs.size(); ++k) {
         table += jobs[k].name;
         for (const std::string& value : jobs[k].run.values) table += "," + csv_field(value);
-        const Json& summary = summaries[k];
-        table += fmt::format(",{},{},{},{},{},{}", summary.value("engine", ""),
-                             summary.contains("seed") ? summary["seed"].dump() : "", jobs[k].done ? "done" : "failed",
-                             summary.contains("steps") ? summary["steps"].dump() : "",
-                             summary.contains("simulated_seconds") ? number_text(summary["simulated_seconds"]) : "",
-                             summary.value("state_hash", ""));
-        const Json values = summary.value("observables", Json::object());
-        for (const std::string& name : observables) {
-            table += "," + (values.contains(name) ? number_text(values[name]) : "");
+        if (const std::optional<StoredSummary>& summary = summaries[k]) {
+            table += fmt::format(",{},{},done,{},{},{}", summary->engine, summary->seed, summary->steps,
+                                 summary->simulated_seconds, summary->state_hash);
+            for (const std::string& name : observables) {
+                const auto value = summary->observables.find(name);
+                table += value != summary->observables.end() ? fmt::format(",{}", value->second) : ",";
+            }
+        } else {
+            table += ",,,failed,,," + std::string(observables.size(), ',');
         }
         table += "\n";
     }

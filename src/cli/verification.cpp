@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "src/core/error.h"
 #include "src/observe/observable_table.h"
+#include "src/record/summary_reader.h"
 #include "src/record/text_file.h"
 #include "src/run/measurements.h"
 
@@ -69,20 +68,16 @@ Verification begin_verification(const std::string& name, const Scenario& scenari
     return verification;
 }
 
-void add_run(Verification& verification, const Scenario& scenario, const std::filesystem::path& summary) {
-    std::ifstream file(summary);
-    const auto json = nlohmann::json::parse(file, nullptr, false);
-    if (json.is_discarded() || !json.contains("observables")) {
-        throw RunError(fmt::format("{}: is no summary of a run", summary.string()));
-    }
+void add_run(Verification& verification, const Scenario& scenario, const std::filesystem::path& folder) {
+    const StoredSummary summary = read_summary(folder);
     for (std::size_t k = 0; k < verification.findings.size(); ++k) {
         const Expectation& e = scenario.expectations[k];
         ExpectationResult& finding = verification.findings[k];
         finding.runs += 1;
-        const auto value = json["observables"].find(finding.label);
-        if (value == json["observables"].end()) continue;
+        const auto value = summary.observables.find(finding.label);
+        if (value == summary.observables.end()) continue;
         const Dimension dimension = find_observable(e.observable.quantity)->dimension;
-        finding.measured.push_back(value->get<double>() / unit_scale(dimension, e.unit, scenario.scene).value());
+        finding.measured.push_back(value->second / unit_scale(dimension, e.unit, scenario.scene).value());
     }
 }
 

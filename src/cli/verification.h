@@ -37,7 +37,7 @@ struct Verification {
 Verification begin_verification(const std::string& name, const Scenario& scenario);
 
 /// Adds what the summary.json of a run of that scenario says. RunError where it cannot be read.
-void add_run(Verification& verification, const Scenario& scenario, const std::filesystem::path& summary);
+void add_run(Verification& verification, const Scenario& scenario, const std::filesystem::path& folder);
 
 /// A table for people: quantity, measured, band, verdict and source.
 std::string verification_table(const Verification& verification);

@@ -130,7 +130,7 @@ int verify_command(const VerifyRequest& request) {
             std::fflush(stdout);
             const int ended = run_once(request, task, k, place);
             if (ended != k_exit_done) return ended;
-            add_run(verification, task.scenario, folder_of(place, request, task, k) / "summary.json");
+            add_run(verification, task.scenario, folder_of(place, request, task, k));
         }
         fmt::print("{}", verification_table(verification));
         std::fflush(stdout);

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "src/plot/plot.h"
+#include "src/record/summary_reader.h"
 #include "src/record/trajectory_reader.h"
 #include "src/reproduce/dominoes.h"
-#include "src/reproduce/recorded_run.h"
 #include "src/reproduce/simulation_figures.h"
 #include "src/theory/domino_chain.h"
 #include "src/theory/domino_theory.h"
@@ -51,7 +51,7 @@ Series measured(const FigureDesk& desk, const DominoKind& kind, double table_fri
     for (const double gap : k_gaps) {
         series.x.push_back(gap);
         series.y.push_back(
-            read_run(desk.run(domino_piece(kind, gap, table_friction, engine))).observable("domino_speed"));
+            read_summary(desk.run(domino_piece(kind, gap, table_friction, engine))).observable("domino_speed"));
     }
     return series;
 }

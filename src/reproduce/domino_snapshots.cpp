@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "src/plot/plot.h"
+#include "src/record/summary_reader.h"
 #include "src/record/trajectory_reader.h"
 #include "src/reproduce/dominoes.h"
-#include "src/reproduce/recorded_run.h"
 #include "src/reproduce/simulation_figures.h"
 #include "src/reproduce/snapshots.h"
 #include "src/reproduce/statistics.h"
@@ -121,7 +121,7 @@ FigureResult draw_fig12(const FigureDesk& desk) {
         meetings.style = SeriesStyle::line_points;
         contacts.series.push_back(std::move(meetings));
         const auto once = std::count(counts.begin(), counts.end(), 1.0);
-        const double speed = read_run(folder).observable("domino_speed");
+        const double speed = read_summary(folder).observable("domino_speed");
         result.findings.push_back({engine, "speed V / √(g L) at spacing 1.7 h", speed, 1.45, 1.65, "",
                                    fmt::format("four physics engines 1.45 to 1.65; chain {:.3f}, group theory {:.3f}",
                                                chain, group_theory_speed(kind.row(k_snapshot_gap))),

@@ -5,8 +5,9 @@
 #include <map>
 #include <optional>
 
+#include "src/record/summary_reader.h"
+#include "src/reproduce/csv_columns.h"
 #include "src/reproduce/dominoes.h"
-#include "src/reproduce/recorded_run.h"
 #include "src/reproduce/simulation_figures.h"
 #include "src/reproduce/statistics.h"
 #include "src/theory/domino_theory.h"
@@ -112,7 +113,7 @@ void add_run_in(const FigureDesk& desk, FigureResult& result) {
     for (const DominoKind& kind : table_1()) {
         table.rows.push_back({kind.name});
         for (const double gap : k_gaps) {
-            const double count = read_run(desk.run(watched_row(kind, gap))).observable("domino_run_in");
+            const double count = read_summary(desk.run(watched_row(kind, gap))).observable("domino_run_in");
             table.rows.back().push_back(fmt::format("{}", count));
             result.findings.push_back(
                 {"contact", fmt::format("{}, spacing {} h: dominoes before the wave is steady", kind.name, gap), count,
@@ -180,7 +181,7 @@ double difference_from_theory(const FigureDesk& desk, const std::vector<DominoKi
     double sum = 0.0;
     for (const DominoKind& kind : kinds) {
         for (const double gap : gaps) {
-            const double speed = read_run(desk.run(literal_row(kind, gap))).observable("domino_speed");
+            const double speed = read_summary(desk.run(literal_row(kind, gap))).observable("domino_speed");
             sum += std::isfinite(speed) ? std::abs(speed / group_theory_speed(kind.row(gap)) - 1.0) : 1.0;
         }
     }

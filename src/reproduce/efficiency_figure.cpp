@@ -6,9 +6,9 @@
 #include <map>
 
 #include "src/plot/plot.h"
+#include "src/record/summary_reader.h"
 #include "src/reproduce/efficiency_ladder.h"
 #include "src/reproduce/efficiency_scenes.h"
-#include "src/reproduce/recorded_run.h"
 #include "src/reproduce/simulation_figures.h"
 
 namespace polargrain {
@@ -38,7 +38,7 @@ Rung read_rung(const FigureDesk& desk, const EfficiencyScene& scene, const std::
                const EfficiencyRun& step) {
     Rung rung{step.label, {}, {}};
     for (unsigned beginning = 1; beginning <= scene.beginnings; ++beginning) {
-        const RecordedRun run = read_run(desk.run(scene.piece(engine, step, beginning)));
+        const StoredSummary run = read_summary(desk.run(scene.piece(engine, step, beginning)));
         rung.values.push_back(run.observable(scene.observable));
         rung.costs.push_back(run.cpu_seconds / run.simulated_seconds);
     }

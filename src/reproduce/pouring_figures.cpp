@@ -6,8 +6,8 @@
 #include "src/observe/bed.h"
 #include "src/observe/free_surface.h"
 #include "src/plot/plot.h"
+#include "src/record/summary_reader.h"
 #include "src/record/trajectory_reader.h"
-#include "src/reproduce/recorded_run.h"
 #include "src/reproduce/simulation_figures.h"
 #include "src/reproduce/snapshots.h"
 #include "src/reproduce/statistics.h"
@@ -58,11 +58,11 @@ Pouring read_pouring(const FigureDesk& desk, const std::string& engine, int colo
     Pouring result;
     for (unsigned seed = 1; seed <= k_seeds; ++seed) {
         const auto folder = desk.run(pouring_piece(engine, seed));
-        const RecordedRun run = read_run(folder);
+        const StoredSummary run = read_summary(folder);
         const Series curve = energy_curve(TrajectoryReader(folder / "trajectory.h5"), engine, colour);
         result.area.push_back(run.observable("area_fraction"));
-        result.rejected.push_back(100.0 * run.rejected_share);
-        result.created.push_back(run.energy_created);
+        result.rejected.push_back(100.0 * run.rejected_share());
+        result.created.push_back(run.observable("energy_created_ratio"));
         result.settling.push_back(settling_time(curve));
         result.energy.push_back(curve.y.back());
         result.curves.push_back(curve);

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "src/core/error.h"
 #include "src/record/summary.h"
+#include "src/record/summary_reader.h"
 #include "tests/record/small_scene.h"
 
 namespace polargrain {
@@ -57,6 +61,41 @@ TEST(SummaryFile, WhatTheLedgerDoesNotExplainIsShown) {
     EXPECT_NEAR(energy["unaccounted"].get<double>(), 0.0, 1e-15);
     EXPECT_NEAR(energy["final"]["total"].get<double>(), 3.15, 1e-15);
     EXPECT_EQ(energy["rises"], 0.06);
+}
+
+TEST(SummaryFile, IsReadBackAsItWas) {
+    const TemporaryFolder folder("summary-back");
+    const Summary written = some_summary();
+    write_summary(folder / "summary.json", written);
+    const StoredSummary read = read_summary(folder / "");
+    EXPECT_EQ(read.engine, written.engine);
+    EXPECT_EQ(read.seed, written.seed);
+    EXPECT_EQ(read.completed, written.completed);
+    EXPECT_EQ(read.steps, written.steps);
+    EXPECT_EQ(read.time_step, written.time_step);
+    EXPECT_EQ(read.grains, written.grains);
+    EXPECT_EQ(read.rejected_share(),
+              static_cast<double>(written.totals.moves.rejected) / static_cast<double>(written.totals.moves.tried));
+    EXPECT_EQ(read.state_hash, written.state_hash);
+    EXPECT_EQ(read.observables, written.observables) << "bits survive";
+    EXPECT_TRUE(std::isnan(read.observable("no such")));
+}
+
+TEST(SummaryFile, ThatIsNoneIsNamed) {
+    const TemporaryFolder folder("summary-none");
+    const auto message = [&folder]() -> std::string {
+        try {
+            read_summary(folder / "");
+            return "";
+        } catch (const InputError& error) {
+            return error.what();
+        }
+    };
+    EXPECT_NE(message().find("summary.json: cannot be read"), std::string::npos) << message();
+    for (const char* text : {"", "{\"engine\": 3}", "[]", "{\"engine\": \"contact\"}"}) {
+        std::ofstream(folder / "summary.json") << text;
+        EXPECT_NE(message().find("summary.json: not a summary of ours"), std::string::npos) << text;
+    }
 }
 
 TEST(SummaryFile, FolderThatIsNotThereIsARunError) {

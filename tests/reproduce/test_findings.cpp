@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "src/core/error.h"
+#include "src/reproduce/csv_columns.h"
 #include "src/reproduce/figure.h"
 #include "src/reproduce/finding.h"
-#include "src/reproduce/recorded_run.h"
 #include "src/reproduce/report.h"
 #include "src/reproduce/statistics.h"
 
@@ -116,12 +116,6 @@ TEST_F(Recorded, ColumnsGoByTheirNames) {
     EXPECT_THAT(columns.at("time"), ElementsAre(0.0, 0.5)) << "a row cut short does not count";
     EXPECT_TRUE(std::isnan(columns.at("note")[0]));
     EXPECT_THROW(read_columns(folder_ / "none.csv"), InputError);
-}
-
-TEST_F(Recorded, SummariesThatAreNoneAreNamed) {
-    EXPECT_THROW(read_run(folder_), InputError);
-    write("summary.json", "{\"engine\": 3}");
-    EXPECT_THROW(read_run(folder_), InputError);
 }
 
 TEST(Figures, AreFoundByTheirNames) {

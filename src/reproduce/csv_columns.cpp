@@ -1,9 +1,8 @@
-#include "src/reproduce/recorded_run.h"
+#include "src/reproduce/csv_columns.h"
 
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "src/core/error.h"
@@ -31,37 +30,6 @@ double number(std::string_view field) {
 }
 
 }  // namespace
-
-double RecordedRun::observable(const std::string& name) const {
-    const auto found = observables.find(name);
-    return found == observables.end() ? std::nan("") : found->second;
-}
-
-RecordedRun read_run(const fs::path& folder) {
-    const fs::path path = folder / "summary.json";
-    std::ifstream file(path);
-    require(file.good(), "{}: cannot be read; is this a finished run folder?", path.string());
-    try {
-        const nlohmann::json json = nlohmann::json::parse(file);
-        RecordedRun run;
-        run.engine = json.at("engine");
-        run.cpu_seconds = json.at("cpu_seconds");
-        run.simulated_seconds = json.at("simulated_seconds");
-        run.time_step = json.at("time_step");
-        run.grains = json.at("grains");
-        run.steps = json.at("steps");
-        const double tried = json.at("moves").at("tried");
-        run.rejected_share = tried > 0.0 ? json.at("moves").at("rejected").get<double>() / tried : 0.0;
-        run.state_hash = json.at("state_hash");
-        for (const auto& [name, value] : json.at("observables").items()) {
-            if (value.is_number()) run.observables[name] = value;
-        }
-        run.energy_created = run.observable("energy_created_ratio");
-        return run;
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(fmt::format("{}: not a summary of ours: {}", path.string(), error.what()));
-    }
-}
 
 std::map<std::string, std::vector<double>> read_columns(const fs::path& csv) {
     std::ifstream file(csv);
