@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include "scenarios/sections.h"
 
 namespace polargrain {
+
+/// In one table.
+inline constexpr std::int64_t k_most_grains = 1'000'000;
 
 /// The grains of one [[grains]], [[rows]] or [[fill]] table.
 struct GrainGroup {

@@ -10,8 +10,6 @@ namespace polargrain {
 
 namespace {
 
-constexpr std::int64_t k_most_grains = 1'000'000;
-
 /// Shapes to choose from, with weights that rise to 1.
 struct ShapeChoice {
     std::vector<std::string> names;

@@ -9,8 +9,6 @@ namespace polargrain {
 
 namespace {
 
-constexpr std::int64_t k_most_grains = 1'000'000;
-
 double read_angle(TableReader& table, double fallback) {
     return table.number("angle", k_any_number, fallback) * k_radians_per_degree;
 }
