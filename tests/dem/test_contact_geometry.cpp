@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "src/core/random.h"
@@ -218,6 +219,75 @@ TEST(WallAndPolygon, PushByTheGradientOfTheAreaEnergy) {
     }
     fmt::print("{} touches: forces against -grad W {:.2g}\n", touching, worst);
     EXPECT_LT(worst, 1e-8);
+}
+
+TEST(WallAndPolygon, HaveNoJumpInTheirEnergyAboutAFreeEnd) {
+    TouchFinder geometry(settings_with(PolygonContact::area, 2.0));
+    const auto shapes = grains();
+    RandomStream random(7, RandomPurpose::test);
+    SoftPiece piece;
+    piece.a = {-0.2, 0.0};
+    piece.length = 0.2;
+    constexpr int k_steps = 20000;
+    constexpr double k_grazing = 1e-10;  // J/m; below it the area is that of round-off
+    int crossed = 0;
+    double worst = 0.0;
+    while (crossed < 100) {
+        // Across the wall's line, at most so far from the end as the grain reaches, and turning.
+        const auto& polygon = std::get<PolarPolygon>(*shapes[random.bits() % shapes.size()]);
+        const double reach = polygon.outer_radius();
+        const Vec2 middle(random.uniform(-0.2, 0.95) * reach, 0.0);
+        const Vec2 way(random.uniform(-0.3, 0.3) * reach, -2.0 * reach);
+        const double angle = random.uniform(-3.0, 3.0);
+        const double turn = random.uniform(-2.0, 2.0);
+        double energy = 0.0;
+        double work = 0.0;  // of the force in a step, where it does not change
+        double most = 0.0;
+        double jump = 0.0;
+        for (int k = 0; k <= k_steps; ++k) {
+            const double s = static_cast<double>(k) / k_steps - 0.5;
+            const Vec2 centre = middle + s * way;
+            std::vector<Touch> touches;
+            geometry.find(piece, polygon, Pose::at(centre, angle + s * turn), k_stiffness, touches);
+            const Reaction now = react(touches, Vec2::Zero(), centre);
+            const double work_now =
+                std::abs(now.on_b[0] * way.x() + now.on_b[1] * way.y() + now.on_b[2] * turn) / k_steps;
+            if (k > 0) jump = std::max(jump, std::abs(now.energy - energy) - std::max(work, work_now));
+            energy = now.energy;
+            work = work_now;
+            most = std::max(most, energy);
+        }
+        if (most < k_grazing) continue;
+        ++crossed;
+        worst = std::max(worst, jump / most);
+    }
+    fmt::print("{} ways across: largest jump over the largest energy {:.2g}\n", crossed, worst);
+    EXPECT_LT(worst, 1e-3);
+}
+
+TEST(OverlapArea, OfABoxAndAGrainIsThatOfTheirRegionsAndOfTheOneWithinTheOther) {
+    const auto shapes = grains();
+    RandomStream random(8, RandomPurpose::test);
+    OverlapArea overlap;
+    const auto box_about = [](const Vec2& centre, double half) {
+        return std::array{Vec2(centre + Vec2(-half, -half)), Vec2(centre + Vec2(half, -half)),
+                          Vec2(centre + Vec2(half, half)), Vec2(centre + Vec2(-half, half))};
+    };
+    double total = 0.0;
+    for (int n = 0; n < 300; ++n) {
+        const auto& polygon = std::get<PolarPolygon>(*shapes[random.bits() % shapes.size()]);
+        const double r = polygon.outer_radius();
+        const auto corner = box_about({random.uniform(0.3, 1.3) * r, random.uniform(0.3, 1.3) * r}, 0.7 * r);
+        double of_regions = 0.0;
+        for (const OverlapRegion& region : overlap.find(corner, polygon)) of_regions += region.area;
+        EXPECT_NEAR(overlap.area(corner, polygon), of_regions, 1e-8 * r * r);
+        total += of_regions / (r * r);
+        const double inside = 0.1 * polygon.inner_radius();
+        EXPECT_NEAR(overlap.area(box_about({0.0, 0.0}, inside), polygon), 4.0 * inside * inside, 1e-12 * r * r);
+        EXPECT_NEAR(overlap.area(box_about({0.0, 0.0}, 2.0 * r), polygon), polygon.area(), 1e-12 * r * r);
+        EXPECT_EQ(overlap.area(box_about({3.0 * r, 0.0}, r), polygon), 0.0);
+    }
+    EXPECT_GT(total, 30.0);
 }
 
 TEST(OverlapArea, OfTwoSquaresIsTheirCommonRectangle) {

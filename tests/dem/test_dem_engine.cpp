@@ -1,7 +1,9 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "src/core/error.h"
 #include "src/core/random.h"
@@ -165,6 +167,42 @@ TEST(Checkpoint, KeepsTheMemoryOfEveryLawAndScheme) {
         }
     }
 }
+
+/// A square of 0.1 m falls by 1 mm on a table that ends, with so much of its width beyond the end.
+struct Overhang {
+    bool side;  ///< the table has a side downwards from its end
+    double share;
+};
+
+class WallEnd : public ::testing::TestWithParam<Overhang> {};
+
+TEST_P(WallEnd, GivesNothingToASquareThatFallsOffIt) {
+    Scene scene = testing::empty_scene(0.5, 0.3);
+    std::vector<Vec2> table{{-1.0, 0.0}, {0.0, 0.0}};
+    if (GetParam().side) table.emplace_back(0.0, -1.0);
+    testing::add_wall(scene, "table", table);
+    const double width = 0.1;
+    scene.add(
+        Grain{testing::add_rectangle(scene, width, width), 0, {(GetParam().share - 0.5) * width, 0.5 * width + 1e-3}});
+    Running sim(testing::make_default_dem, scene);
+    const double unit = scene.grains.mass[0] * 9.81 * width;
+    double made = 0.0;
+    for (int k = 0; k < 400; ++k) {
+        sim.step(1e-3);
+        made = std::max(made, std::abs(sim.ledger.created));
+    }
+    fmt::print("made {:.2g} m g d on the way\n", made / unit);
+    EXPECT_LT(made, 1e-6 * unit);
+    EXPECT_LT(sim.world.grains.y[0], -width) << "it has fallen off";
+}
+
+INSTANTIATE_TEST_SUITE_P(Overhangs, WallEnd,
+                         ::testing::Values(Overhang{false, 0.5}, Overhang{false, 0.6}, Overhang{false, 0.8},
+                                           Overhang{true, 0.5}, Overhang{true, 0.6}, Overhang{true, 0.8}),
+                         [](const auto& c) {
+                             return fmt::format("{:.0f}_percent_beyond_{}", 100.0 * c.param.share,
+                                                c.param.side ? "a_corner" : "an_end");
+                         });
 
 TEST(MovingWall, DoesTheWorkThatTheBooksSay) {
     Scene scene = testing::pour(testing::PourShape::rough, 20, 4, 0.5, 0.5, 5);

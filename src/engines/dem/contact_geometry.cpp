@@ -17,6 +17,24 @@ AreaEnergy::Value AreaEnergy::at(double area, double stiffness, double radius) c
     return {energy, exponent * energy / area};
 }
 
+namespace {
+
+using WallBox = std::array<Vec2, 4>;
+
+/// Behind the face that runs from one point to the other: counter-clockwise, its face first.
+WallBox box_behind(const Vec2& from, const Vec2& to, double depth_over_length) {
+    const Vec2 behind = left_normal(to - from) * depth_over_length;
+    return {from, to, to + behind, from + behind};
+}
+
+double area_of(std::span<const OverlapRegion> regions) {
+    double area = 0.0;
+    for (const OverlapRegion& region : regions) area += region.area;
+    return area;
+}
+
+}  // namespace
+
 TouchFinder::TouchFinder(const DemSettings& settings)
     : polygons_(settings.polygons), energy_{settings.area_exponent, settings.target_overlap} {}
 
@@ -50,18 +68,24 @@ void TouchFinder::find(const SoftPiece& piece, const PolarPolygon& grain, const 
                        std::vector<Touch>& touches) {
     const double side = cross(piece.along, pose.centre - piece.a);
     if (std::abs(side) >= grain.outer_radius()) return;
-    // Counter-clockwise about the box, its face first: the face runs against the chain where the grain is on its left.
-    const Vec2 from = pose.to_local(side >= 0.0 ? piece.b : piece.a);
-    const Vec2 to = pose.to_local(side >= 0.0 ? piece.a : piece.b);
-    const Vec2 behind = left_normal(to - from) * (grain.inner_radius() / piece.length);
-    const std::array<Vec2, 4> box = {from, to, to + behind, from + behind};
-    add_regions(overlap_.find(box, grain), pose, stiffness, grain.inner_radius(), touches);
+    const Vec2 a = pose.to_local(piece.a);
+    const Vec2 b = pose.to_local(piece.b);
+    const double deep = grain.inner_radius() / piece.length;
+    const WallBox near = side >= 0.0 ? box_behind(b, a, deep) : box_behind(a, b, deep);
+    std::span<const OverlapRegion> regions = overlap_.find(near, grain);
+    if (regions.empty()) return;
+    // Away from the ends of the piece the larger part of the grain lies on the side of its centre.
+    const double reach = grain.outer_radius() * grain.outer_radius();
+    if (a.squaredNorm() < reach || b.squaredNorm() < reach) {
+        const WallBox far = side >= 0.0 ? box_behind(a, b, deep) : box_behind(b, a, deep);
+        if (overlap_.area(far, grain) < area_of(regions)) regions = overlap_.find(far, grain);
+    }
+    add_regions(regions, pose, stiffness, grain.inner_radius(), touches);
 }
 
 void TouchFinder::add_regions(std::span<const OverlapRegion> regions, const Pose& frame, double stiffness,
                               double radius, std::vector<Touch>& touches) const {
-    double area = 0.0;
-    for (const OverlapRegion& region : regions) area += region.area;
+    const double area = area_of(regions);
     if (!(area > 0.0)) return;
     const AreaEnergy::Value value = energy_.at(area, stiffness, radius);
     for (const OverlapRegion& region : regions) {

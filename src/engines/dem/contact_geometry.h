@@ -39,8 +39,9 @@ public:
     void find(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double stiffness,
               std::vector<Touch>& touches);
 
-    /// A wall piece and a polygon. Walls are thin and act on both sides: the wall is the box behind the piece as seen
-    /// from the grain's centre, as deep as the grain's inner radius.
+    /// A wall piece and a polygon. Walls are thin and act on both sides: the wall is a box on that side of the piece on
+    /// which it has less in common with the grain, as deep as the grain's inner radius. So the energy has no jump where
+    /// a grain passes an end of the piece, on whichever side its centre is.
     void find(const SoftPiece& piece, const PolarPolygon& grain, const Pose& pose, double stiffness,
               std::vector<Touch>& touches);
 

@@ -77,6 +77,32 @@ std::span<const OverlapRegion> OverlapArea::find(std::span<const Vec2, 4> a, con
     return regions_;
 }
 
+// The outline is cut along the sides of the box, one after the other; where it falls apart its parts stay tied along a
+// side, which adds nothing.
+double OverlapArea::area(std::span<const Vec2, 4> a, const PolarPolygon& b) {
+    loop_.clear();
+    for (int k = 0; k < b.size(); ++k) loop_.push_back(b.vertex(k));
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        const Vec2 along = a[(k + 1) % a.size()] - a[k];
+        std::swap(loop_, uncut_);
+        loop_.clear();
+        for (std::size_t j = 0; j < uncut_.size(); ++j) {
+            const Vec2& from = uncut_[j];
+            const Vec2& to = uncut_[j + 1 == uncut_.size() ? 0 : j + 1];
+            const double left_from = cross(along, from - a[k]);
+            const double left_to = cross(along, to - a[k]);
+            if (left_from >= 0.0) loop_.push_back(from);
+            if ((left_from >= 0.0) == (left_to >= 0.0)) continue;
+            loop_.push_back(from + left_from / (left_from - left_to) * (to - from));
+        }
+    }
+    double area = 0.0;
+    for (std::size_t j = 0; j < loop_.size(); ++j) {
+        area += 0.5 * cross(loop_[j] - loop_[0], loop_[j + 1 == loop_.size() ? 0 : j + 1] - loop_[0]);
+    }
+    return area;
+}
+
 void OverlapArea::find_regions() {
     find_crossings();
     // An odd number is round-off: outlines that touch without crossing. Nothing measurable is lost with it.

@@ -37,8 +37,11 @@ public:
     std::span<const OverlapRegion> find(const PolarPolygon& a, const PolarPolygon& b, const Pose& pose);
 
     /// The same for the box a that stands for a wall and a grain, both in the grain's frame: four corners
-    /// counter-clockwise, of which the first two bound the face that looks at the grain's centre.
+    /// counter-clockwise, of which the first two bound the face.
     std::span<const OverlapRegion> find(std::span<const Vec2, 4> a, const PolarPolygon& b);
+
+    /// What they have in common [m^2], also where one lies within the other.
+    double area(std::span<const Vec2, 4> a, const PolarPolygon& b);
 
 private:
     struct Crossing {
@@ -59,7 +62,7 @@ private:
     std::vector<OutlineEdge> a_, b_;
     std::vector<Crossing> crossings_;
     std::vector<int> order_;
-    std::vector<Vec2> loop_;
+    std::vector<Vec2> loop_, uncut_;
     std::vector<OverlapRegion> regions_;
 };
 
