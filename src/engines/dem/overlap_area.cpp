@@ -93,7 +93,7 @@ double OverlapArea::area(std::span<const Vec2, 4> a, const PolarPolygon& b) {
             const double left_to = cross(along, to - a[k]);
             if (left_from >= 0.0) loop_.push_back(from);
             if ((left_from >= 0.0) == (left_to >= 0.0)) continue;
-            loop_.push_back(from + left_from / (left_from - left_to) * (to - from));
+            loop_.emplace_back(from + left_from / (left_from - left_to) * (to - from));
         }
     }
     double area = 0.0;
