@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <ostream>
+#include <sstream>
+#include <string>
 
 #include "tests/cli/program_runner.h"
 #include "tests/cli/small_scenarios.h"
@@ -43,6 +45,19 @@ TEST(CommandLine, VersionTellsHowItWasBuilt) {
     for (const char* part : {"polargrain ", "-ffp-contract=off", "Eigen 3", "HDF5 1", "toml++ 3"}) {
         EXPECT_THAT(outcome.out, HasSubstr(part));
     }
+}
+
+TEST(CommandLine, EnginesOfTheProgramAreThoseOfScenarioFiles) {
+    std::istringstream lines(run({"list", "engines"}).out);
+    std::string line, name;
+    std::getline(lines, line);
+    std::string names;
+    while (std::getline(lines, line) && std::istringstream(line) >> name) {
+        EXPECT_EQ(run({"check", "fig9", "--engine", name}).exit_code, 0) << name;
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    EXPECT_THAT(names, HasSubstr("contact"));
+    EXPECT_THAT(run({"check", "fig9", "--engine", "nosuch"}).err, HasSubstr(names + "\n"));
 }
 
 TEST(CommandLine, MistakesEndWithTwoAndAHint) {
