@@ -36,7 +36,7 @@ struct Verification {
 /// One finding for each expectation of the scenario, without any measurement yet.
 Verification begin_verification(const std::string& name, const Scenario& scenario);
 
-/// Adds what the summary.json of a run of that scenario says. RunError where it cannot be read.
+/// Adds what the summary.json of a run of that scenario says. InputError where it cannot be read.
 void add_run(Verification& verification, const Scenario& scenario, const std::filesystem::path& folder);
 
 /// A table for people: quantity, measured, band, verdict and source.

@@ -1,5 +1,6 @@
 #include "src/reproduce/csv_columns.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
