@@ -26,22 +26,6 @@ TEST(FreeFall, IsExact) {
     EXPECT_EQ(sim.world.grains.spin[0], 5.0);
 }
 
-Vec2 momentum(const Grains& grains) {
-    Vec2 sum = Vec2::Zero();
-    for (GrainIndex k = 0; k < grains.size(); ++k) sum += grains.mass[Grains::at(k)] * grains.velocity(k);
-    return sum;
-}
-
-/// About the origin.
-double angular_momentum(const Grains& grains) {
-    double sum = 0.0;
-    for (GrainIndex k = 0; k < grains.size(); ++k) {
-        const std::size_t i = Grains::at(k);
-        sum += grains.mass[i] * cross(grains.position(k), grains.velocity(k)) + grains.inertia[i] * grains.spin[i];
-    }
-    return sum;
-}
-
 TEST(Gas, OfMixedShapesKeepsMomentumAndAngularMomentum) {
     const std::uint64_t seed = 7;
     Scene scene = testing::pour(PourShape::mixed, 100, seed, 0.7, 0.4, 10);
@@ -53,11 +37,11 @@ TEST(Gas, OfMixedShapesKeepsMomentumAndAngularMomentum) {
         scene.grains.set_velocity(k, scene.grains.velocity(k) - 3.0 * r + cross(2.0, r));
     }
     Running sim(make_contact, scene);
-    const Vec2 p = momentum(sim.world.grains);
-    const double l = angular_momentum(sim.world.grains);
+    const Vec2 p = testing::momentum(sim.world.grains);
+    const double l = testing::angular_momentum(sim.world.grains);
     sim.run(0.4, 5e-4);
-    const Vec2 lost = momentum(sim.world.grains) - p;
-    const double turned = angular_momentum(sim.world.grains) - l;
+    const Vec2 lost = testing::momentum(sim.world.grains) - p;
+    const double turned = testing::angular_momentum(sim.world.grains) - l;
     double total_mass = 0.0;
     for (const double m : sim.world.grains.mass) total_mass += m;
     fmt::print("seed {}, {} impulses: momentum changed by {:.2g}, angular momentum by {:.2g} (relative)\n", seed,

@@ -39,4 +39,19 @@ double Running::rejected_share() const {
 
 Vec2 Running::wall_force(int wall, double dt) const { return report.walls[static_cast<std::size_t>(wall)].linear / dt; }
 
+Vec2 momentum(const Grains& grains) {
+    Vec2 sum = Vec2::Zero();
+    for (GrainIndex k = 0; k < grains.size(); ++k) sum += grains.mass[Grains::at(k)] * grains.velocity(k);
+    return sum;
+}
+
+double angular_momentum(const Grains& grains) {
+    double sum = 0.0;
+    for (GrainIndex k = 0; k < grains.size(); ++k) {
+        const std::size_t i = Grains::at(k);
+        sum += grains.mass[i] * cross(grains.position(k), grains.velocity(k)) + grains.inertia[i] * grains.spin[i];
+    }
+    return sum;
+}
+
 }  // namespace polargrain::testing

@@ -50,4 +50,10 @@ private:
     double energy_before_ = 0.0;
 };
 
+/// Of all grains [N s/m].
+Vec2 momentum(const Grains& grains);
+
+/// Of all grains about the origin [N s].
+double angular_momentum(const Grains& grains);
+
 }  // namespace polargrain::testing

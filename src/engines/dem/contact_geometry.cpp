@@ -89,7 +89,7 @@ void TouchFinder::add_regions(std::span<const OverlapRegion> regions, const Pose
     if (!(area > 0.0)) return;
     const AreaEnergy::Value value = energy_.at(area, stiffness, radius);
     for (const OverlapRegion& region : regions) {
-        touches.push_back({frame.to_world(region.point), frame.turned(region.normal), region.depth, false,
+        touches.push_back({frame.to_world(region.point), frame.turned(region.normal), region.depth, region.width, false,
                            value.slope * region.width, value.energy * region.area / area});
     }
 }
@@ -101,7 +101,8 @@ void touch_polygon(const PolarPolygon& polygon, const Pose& pose, const Vec2& ce
     if (distance >= polygon.outer_radius() + radius || !(distance > 0.0) || polygon.depth(p) > 0.0) return;
     const auto add = [&](const Vec2& nearest, const Vec2& normal, double gap) {
         const double depth = radius - gap;
-        touches.push_back({pose.to_world(nearest - 0.5 * depth * normal), pose.turned(normal), depth, true, 0.0, 0.0});
+        touches.push_back(
+            {pose.to_world(nearest - 0.5 * depth * normal), pose.turned(normal), depth, 0.0, true, 0.0, 0.0});
     };
     const auto station = [&](int edge) { return left_normal(polygon.normal(edge)).dot(p - polygon.vertex(edge)); };
     const auto length = [&](int edge) {

@@ -177,7 +177,8 @@ private:
             SoftContact& c = contacts[k];
             const double sign = number(c.a) == pairs_[k].first ? 1.0 : -1.0;
             const Vec2 impulse = sign * (c.impulse + weight * c.force());
-            report.contacts.push_back({pairs_[k].first, pairs_[k].second, c.point, sign * c.normal, -c.depth, impulse});
+            report.contacts.push_back(
+                {pairs_[k].first, pairs_[k].second, c.centre_of_pressure(), sign * c.normal, -c.depth, impulse});
             c.impulse = Vec2::Zero();
         }
     }

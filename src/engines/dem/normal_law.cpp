@@ -75,6 +75,18 @@ double damping_constant(double gamma, double mass, double k, double b, double g,
     return 2.0 * gamma * std::sqrt(mass * k * (1.0 + 0.5 * b)) * power(reference, 0.5 * b - g);
 }
 
+FaceForce damped_face(double elastic_force, double damping, double closing, double spin, double width, bool tension) {
+    const double mean = elastic_force + damping * closing;
+    // By how much the force that the part at an edge stands for differs from the mean.
+    const double half = 0.5 * width * std::abs(damping * spin);
+    if (tension || half <= mean) return {mean, -damping * spin * width * width / 12.0};
+    if (mean <= -half) return {};
+    // The rest of the face is let go; the pressure falls to zero along the part that is left.
+    const double part = 0.5 * (mean + half) / half;
+    const double force = 0.5 * part * (mean + half);
+    return {force, -std::copysign(force * width * (0.5 - part / 3.0), spin)};
+}
+
 double walton_braun_loss(double largest, double k1, double k2) {
     return 0.5 * k1 * largest * largest * (1.0 - k1 / k2);
 }

@@ -51,6 +51,17 @@ inline double damped_force(double elastic_force, double damping, double closing,
     return tension ? force : std::max(0.0, force);
 }
 
+/// Normal force of a face and its moment about the middle of the face.
+struct FaceForce {
+    double force = 0.0;   ///< [N/m], pushing apart
+    double moment = 0.0;  ///< [N], of the same sign as a spin
+};
+
+/// damped_force spread evenly over a face of the given width [m] that turns at `spin` [rad/s] against the other body
+/// besides closing: the dashpot meets each part of the face at the speed of that part, and resists the turning too.
+/// Without tension no part of the face is pulled. Derived here; of width 0 the force of damped_force alone.
+FaceForce damped_face(double elastic_force, double damping, double closing, double spin, double width, bool tension);
+
 /// What the hysteretic law of Walton and Braun has and does.
 struct Hysteretic {
     double force = 0.0;    ///< [N/m] >= 0

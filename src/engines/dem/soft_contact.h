@@ -11,6 +11,7 @@ struct SoftContact {
     Vec2 normal = Vec2::UnitY();  ///< unit, out of a into b
     double depth = 0.0;           ///< [m] > 0
     double normal_force = 0.0;    ///< on b along the normal [N/m]
+    double moment = 0.0;          ///< on b about the point, of the normal force's spread over a face [N]
     double elastic_normal = 0.0;  ///< the part of it that is not the dashpot's
     double sliding_force = 0.0;   ///< on b along left_normal(normal) [N/m]
     double stored_normal = 0.0;   ///< energy that the normal law gives back [J/m]
@@ -35,6 +36,10 @@ struct SoftContact {
     }
 
     Vec2 force() const { return normal_force * normal + sliding_force * left_normal(normal); }
+    /// Where a single force would have to act to have the same moment [m].
+    Vec2 centre_of_pressure() const {
+        return moment == 0.0 ? point : Vec2(point - moment / normal_force * left_normal(normal));
+    }
 };
 
 /// Energy in springs [J/m].
@@ -53,6 +58,7 @@ struct Touch {
     Vec2 point = Vec2::Zero();    ///< world [m]
     Vec2 normal = Vec2::UnitY();  ///< unit, out of a into b
     double depth = 0.0;           ///< [m] > 0
+    double width = 0.0;           ///< of the face that is pressed, with the point in its middle [m]; 0: a point
     bool by_depth = true;         ///< the normal law gives the force of the depth; else force and energy stand here
     double force = 0.0;           ///< [N/m]
     double energy = 0.0;          ///< [J/m]

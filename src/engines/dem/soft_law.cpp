@@ -250,21 +250,28 @@ double normal_response(const PairSoftLaw& pair, const Touch& touch, double mass,
 
 }  // namespace
 
-void respond(const PairSoftLaw& pair, const Touch& touch, double mass, double closing, double sliding, double way,
+void respond(const PairSoftLaw& pair, const Touch& touch, double mass, const TouchRate& rate, double way,
              SoftContact& c) {
     const double pressed = std::max(0.0, c.normal_force);
     const double damping = normal_response(pair, touch, mass, c);
-    c.normal_force = damped_force(c.elastic_normal, damping, closing, pair.law.tension);
+    if (touch.width > 0.0) {
+        const FaceForce face =
+            damped_face(c.elastic_normal, damping, rate.closing, rate.spin, touch.width, pair.law.tension);
+        c.normal_force = face.force;
+        c.moment = face.moment;
+    } else {
+        c.normal_force = damped_force(c.elastic_normal, damping, rate.closing, pair.law.tension);
+    }
     const double push = std::max(0.0, c.normal_force);
     const double limit = pair.friction * push;
     Tangential tangential;
     switch (pair.law.tangential) {
         case TangentialLaw::spring:
             tangential = spring_slider(c.stretch + way, pair.tangential_stiffness,
-                                       pair.law.tangential_damping * damping, sliding, limit);
+                                       pair.law.tangential_damping * damping, rate.sliding, limit);
             break;
         case TangentialLaw::slider:
-            tangential = viscous_slider(pair.law.tangential_damping * damping, sliding, limit);
+            tangential = viscous_slider(pair.law.tangential_damping * damping, rate.sliding, limit);
             break;
         case TangentialLaw::walton_braun: {
             const IncrementalMemory memory = walton_braun_tangential({c.stretch, c.turning, pressed}, way,

@@ -71,10 +71,16 @@ private:
 /// unloading of Walton and Braun's [N/m^2]; for others the ratio of critical damping.
 double damping_of(const PairSoftLaw& law, double restitution, double mass, bool by_depth, DampingRatio& ratio);
 
+/// Motion of b's material against a's at a contact.
+struct TouchRate {
+    double closing = 0.0;  ///< against the normal [m/s]
+    double sliding = 0.0;  ///< along the tangent [m/s]
+    double spin = 0.0;     ///< [rad/s]
+};
+
 /// Fills in the forces of a contact whose place and memory stand, the normal force of the last evaluation among it:
-/// `closing` and `sliding` are the velocities of b relative to a against the normal and along the tangent [m/s], `way`
-/// the sliding since the memory was made [m].
-void respond(const PairSoftLaw& law, const Touch& touch, double mass, double closing, double sliding, double way,
+/// `way` is the sliding since the memory was made [m].
+void respond(const PairSoftLaw& law, const Touch& touch, double mass, const TouchRate& rate, double way,
              SoftContact& contact);
 
 }  // namespace polargrain

@@ -6,12 +6,13 @@ namespace polargrain {
 
 namespace {
 
-/// The impulse [N s/m] of a wall on a grain at a point [m].
-void account_wall(int wall, const Motion& motion, const Vec2& point, const Vec2& impulse, StepReport& report) {
+/// The impulse [N s/m] of a wall on a grain at a point [m], with a moment about it [N s].
+void account_wall(int wall, const Motion& motion, const Vec2& point, const Vec2& impulse, double moment,
+                  StepReport& report) {
     WallImpulse& sum = report.walls[static_cast<std::size_t>(wall)];
     sum.linear -= impulse;
-    sum.angular -= cross(point, impulse);
-    report.ledger.wall_work += impulse.dot(motion.velocity + cross(motion.spin, point));
+    sum.angular -= cross(point, impulse) + moment;
+    report.ledger.wall_work += impulse.dot(motion.velocity + cross(motion.spin, point)) + moment * motion.spin;
 }
 
 }  // namespace
@@ -21,9 +22,11 @@ void account_rates(const SoftSystem& system, std::span<const double> x, std::spa
     for (const SoftContact& c : system.contacts()) {
         const Motion wall = system.wall_motion(c.a);
         const Vec2 relative = SoftSystem::relative_velocity(c, wall, x, v);
-        report.ledger.restitution_loss -= weight * (c.normal_force - c.elastic_normal) * relative.dot(c.normal);
+        const double dashpot = (c.normal_force - c.elastic_normal) * relative.dot(c.normal) +
+                               c.moment * SoftSystem::relative_spin(c, wall, v);
+        report.ledger.restitution_loss -= weight * dashpot;
         report.ledger.friction_loss -= weight * c.sliding_force * relative.dot(left_normal(c.normal));
-        if (is_wall(c.a)) account_wall(wall_index(c.a), wall, c.point, weight * c.force(), report);
+        if (is_wall(c.a)) account_wall(wall_index(c.a), wall, c.point, weight * c.force(), weight * c.moment, report);
     }
 }
 
@@ -35,7 +38,7 @@ void account_losses(const SoftSystem& system, StepReport& report) {
     const SoftSystem::Balance& balance = system.balance();
     report.ledger.restitution_loss -= balance.spared;
     for (const auto& [wall, point, impulse] : balance.on_walls) {
-        account_wall(wall, system.wall_motion(wall_body(wall)), point, impulse, report);
+        account_wall(wall, system.wall_motion(wall_body(wall)), point, impulse, 0.0, report);
     }
 }
 

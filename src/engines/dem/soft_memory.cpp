@@ -4,12 +4,12 @@ namespace polargrain {
 
 namespace {
 
-constexpr std::size_t k_reals = 15;
+constexpr std::size_t k_reals = 16;
 
 void append(const SoftContact& c, std::vector<double>& reals) {
     reals.insert(reals.end(), {c.point.x(), c.point.y(), c.normal.x(), c.normal.y(), c.depth, c.normal_force,
                                c.elastic_normal, c.sliding_force, c.stored_normal, c.stored_sliding, c.hysteresis,
-                               c.damping, c.stretch, c.turning, c.largest});
+                               c.damping, c.stretch, c.turning, c.largest, c.moment});
 }
 
 SoftContact contact_from(std::int64_t a, std::int64_t b, const double* r) {
@@ -20,7 +20,7 @@ SoftContact contact_from(std::int64_t a, std::int64_t b, const double* r) {
     c.normal = {r[2], r[3]};
     double* const values[] = {&c.depth,         &c.normal_force,   &c.elastic_normal, &c.sliding_force,
                               &c.stored_normal, &c.stored_sliding, &c.hysteresis,     &c.damping,
-                              &c.stretch,       &c.turning,        &c.largest};
+                              &c.stretch,       &c.turning,        &c.largest,        &c.moment};
     std::size_t k = 4;
     for (double* value : values) *value = r[k++];
     return c;

@@ -161,7 +161,7 @@ void SoftSystem::touch_piece(Share& share, std::size_t piece, GrainIndex grain, 
     const double squared = way.squaredNorm();
     if (!touch.touches || squared >= body.radius * body.radius || !(squared > 0.0)) return;
     const double distance = std::sqrt(squared);
-    share.touches.push_back({touch.nearest, way / distance, body.radius - distance, true, 0.0, 0.0});
+    share.touches.push_back({touch.nearest, way / distance, body.radius - distance, 0.0, true, 0.0, 0.0});
 }
 
 void SoftSystem::meet_grains(Share& share, std::span<const GrainPair> pairs, std::span<const double> x,
@@ -180,7 +180,7 @@ void SoftSystem::meet_grains(Share& share, std::span<const GrainPair> pairs, std
             const Vec2 normal(dx / distance, dy / distance);
             const double depth = reach - distance;
             const Vec2 point = place(x, a) + (bodies_[i].radius - 0.5 * depth) * normal;
-            share.touches.push_back({point, normal, depth, true, 0.0, 0.0});
+            share.touches.push_back({point, normal, depth, 0.0, true, 0.0, 0.0});
         } else {
             share.geometry.find(*bodies_[i].shape, poses_[i], *bodies_[j].shape, poses_[j],
                                 law_of(a, b).linear_stiffness, share.touches);
@@ -233,6 +233,7 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
     const Vec2 arm_b = touch.point - place(x, b);
     const Vec2 tangent = left_normal(touch.normal);
     Vec2 relative = velocity_at(v, b, arm_b);
+    double spin = spin_of(v, b);
     const Shift shift_b = shift_of(b, accepted_x_, x);
     Vec2 way = shift_b.way + cross(shift_b.turn, arm_b);
     Shift shift_a;
@@ -241,10 +242,12 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
         const Motion& wall = walls_.motion(a);
         const Vec2 wall_velocity = wall.velocity + cross(wall.spin, touch.point);
         relative -= wall_velocity;
+        spin -= wall.spin;
         way -= (time_ - accepted_time_) * wall_velocity;
     } else {
         arm_a = touch.point - place(x, a);
         relative -= velocity_at(v, a, arm_a);
+        spin -= spin_of(v, a);
         shift_a = shift_of(a, accepted_x_, x);
         way -= shift_a.way + cross(shift_a.turn, arm_a);
     }
@@ -260,7 +263,7 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
         contact.damping = damping_of(law, restitution_at_birth(a, b), mass, touch.by_depth, share.ratio);
         ++share.born;
     }
-    respond(law, touch, mass, -relative.dot(touch.normal), relative.dot(tangent), sliding_way, contact);
+    respond(law, touch, mass, {-relative.dot(touch.normal), relative.dot(tangent), spin}, sliding_way, contact);
     const double old_way = old != nullptr ? way_of(*old, shift_a, shift_b, accepted_x_, time_ - accepted_time_) : 0.0;
     find_miss(share, old, way.dot(touch.normal), old_way);
 }
@@ -315,12 +318,12 @@ void SoftSystem::sum_forces(std::span<const SoftContact> contacts, std::span<con
         const std::size_t j = 3 * Grains::at(c.b);
         forces[j] += force.x();
         forces[j + 1] += force.y();
-        forces[j + 2] += cross(c.point - place(x, c.b), force);
+        forces[j + 2] += cross(c.point - place(x, c.b), force) + c.moment;
         if (is_wall(c.a)) continue;
         const std::size_t i = 3 * Grains::at(c.a);
         forces[i] -= force.x();
         forces[i + 1] -= force.y();
-        forces[i + 2] -= cross(c.point - place(x, c.a), force);
+        forces[i + 2] -= cross(c.point - place(x, c.a), force) + c.moment;
     }
     next_turnover_ = found;
 }

@@ -63,6 +63,11 @@ public:
         return of_b - velocity_at(v, c.a, c.point - place(x, c.a));
     }
 
+    /// Of b against a [rad/s].
+    static double relative_spin(const SoftContact& c, const Motion& wall, std::span<const double> v) {
+        return spin_of(v, c.b) - (is_wall(c.a) ? wall.spin : spin_of(v, c.a));
+    }
+
     /// What `balance_work` did last; empty under a scheme that does not call it.
     struct Balance {
         struct OnWall {
@@ -178,6 +183,7 @@ private:
         const std::size_t k = 3 * Grains::at(grain);
         return Vec2(v[k], v[k + 1]) + cross(v[k + 2], arm);
     }
+    static double spin_of(std::span<const double> v, BodyIndex grain) { return v[3 * Grains::at(grain) + 2]; }
     double effective_mass(const SoftContact& contact, const Vec2& arm_a, const Vec2& arm_b) const;
     const PairSoftLaw& law_of(BodyIndex a, BodyIndex b) const;
     double restitution_at_birth(BodyIndex a, BodyIndex b) const;
