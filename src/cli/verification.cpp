@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/reader.h"
 #include "src/core/error.h"
 #include "src/observe/observable_table.h"
 #include "src/record/summary_reader.h"
@@ -70,6 +71,8 @@ Verification begin_verification(const std::string& name, const Scenario& scenari
 
 void add_run(Verification& verification, const Scenario& scenario, const std::filesystem::path& folder) {
     const StoredSummary summary = read_summary(folder);
+    // Units such as d and m are those of its own grains, which another seed has drawn otherwise.
+    const Scene scene = load_scenario(folder / "scenario.toml", {}).scene;
     for (std::size_t k = 0; k < verification.findings.size(); ++k) {
         const Expectation& e = scenario.expectations[k];
         ExpectationResult& finding = verification.findings[k];
@@ -77,7 +80,7 @@ void add_run(Verification& verification, const Scenario& scenario, const std::fi
         const auto value = summary.observables.find(finding.label);
         if (value == summary.observables.end()) continue;
         const Dimension dimension = find_observable(e.observable.quantity)->dimension;
-        finding.measured.push_back(value->second / unit_scale(dimension, e.unit, scenario.scene).value());
+        finding.measured.push_back(value->second / unit_scale(dimension, e.unit, scene).value());
     }
 }
 

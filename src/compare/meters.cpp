@@ -7,6 +7,7 @@
 
 #include "src/observe/bed.h"
 #include "src/observe/deepest_overlap.h"
+#include "src/run/measurements.h"
 #include "src/run/settle.h"
 
 namespace polargrain {
@@ -45,11 +46,10 @@ Meters::Meters(const Scene& scene, const std::vector<Expectation>& expectations,
     add("grains_out", Statistic::last);
     add("moves_rejected_percent", Statistic::last);
     add("energy_created_ratio", Statistic::last);
-    for (const Expectation& e : expectations) {
-        const std::string& label = e.observable.label;
-        std::string name = label.empty() ? e.observable.quantity : label;
-        if (e.statistic != Statistic::last) name += "_" + to_string(e.statistic);
-        add(e.observable, Reduction(e.statistic, e.from, e.to), name);
+    const std::vector<std::string> labels = expectation_labels(expectations);
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        const Expectation& e = expectations[k];
+        add(e.observable, Reduction(e.statistic, e.from, e.to), labels[k]);
     }
     for (const ObservableSpec& spec : observed) {
         add(spec, Reduction(Statistic::last, {}, {}), spec.label.empty() ? spec.quantity : spec.label);
@@ -68,7 +68,7 @@ void Meters::add(const std::string& quantity, Statistic statistic) {
 }
 
 void Meters::add(const ObservableSpec& spec, const Reduction& reduction, const std::string& name) {
-    // Our own measure of overlap takes its place: this one believes the engine too.
+    // The overlap is among our own, as a share of the diameter.
     if (spec.quantity == "deepest_overlap" || std::ranges::count(quantities_, name, &Quantity::name) > 0) return;
     observers_.emplace_back(spec, scene_);
     const std::string unit = units_of(observers_.back().entry().dimension).front();

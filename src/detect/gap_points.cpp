@@ -291,6 +291,11 @@ struct OverPiece {
     double station;
     double length;
     bool within() const { return station >= 0.0 && station <= length; }
+    /// Past an end, where the piece's line bounds the free space on the point's side still?
+    bool in_run(const WallRun& run) const {
+        if (station < 0.0) return -station <= (height > 0.0 ? run.left_of_a : run.right_of_a);
+        return station - length <= (height > 0.0 ? run.left_of_b : run.right_of_b);
+    }
 };
 
 /// The straight line of a wall piece.
@@ -349,9 +354,11 @@ void wall_vertex_points(const PolarPolygon& grain, const Pose& pose, const Pose&
     for (int k = 0; k < grain.size(); ++k) {
         const Vec2 p = pose.to_world(grain.vertex(k));
         const OverPiece now = line.over(p);
-        if (!now.within() || std::abs(now.height) > rules.margin + grain.outer_radius()) continue;
-        const Side side =
-            side_of(now, line_before.over(pose_before.to_world(grain.vertex(k))), home, grain.outer_radius(), overrun);
+        if (std::abs(now.height) > rules.margin + grain.outer_radius()) continue;
+        if (!now.within() && !now.in_run(piece.run)) continue;
+        const Side side = now.within() ? side_of(now, line_before.over(pose_before.to_world(grain.vertex(k))), home,
+                                                 grain.outer_radius(), overrun)
+                                       : Side{now.height, false};
         const double gap = side.through ? -std::abs(now.height) : std::abs(now.height);
         if (gap > rules.margin) continue;
         const Vec2 normal = side.sign > 0.0 ? line.left : Vec2(-line.left);
@@ -385,12 +392,21 @@ void wall_end_point(const PolarPolygon& grain, const Pose& pose, const Vec2& end
     }
 }
 
+/// Does the joint at a point away from a body with its centre there? It lies before the lines of both pieces then, and
+/// meets them before it could come to where they join.
+bool points_away(const GapPiece& piece, const Vec2& centre) {
+    const double bend = piece.at_a == Joint::left_turn ? 1.0 : -1.0;
+    if (piece.at_a != Joint::left_turn && piece.at_a != Joint::right_turn) return false;
+    return bend * cross(piece.now.b - piece.now.a, centre - piece.now.a) > 0.0 &&
+           bend * cross(piece.now.a - piece.before_a, centre - piece.now.a) > 0.0;
+}
+
 void wall_points(const PolarPolygon& grain, const Pose& pose, const Pose& pose_before, const GapPiece& piece,
                  bool overrun, const GapRules& rules, std::vector<GapPoint>& points) {
     const std::size_t first = points.size();
     wall_vertex_points(grain, pose, pose_before, piece, overrun, rules, points);
     // A joint belongs to the piece that begins there.
-    if (piece.at_a != Joint::straight)
+    if (piece.at_a != Joint::straight && !points_away(piece, pose.centre))
         wall_end_point(grain, pose, piece.now.a, piece.before_a, piece.now.b, 0, rules, points);
     if (piece.at_b == Joint::free_end)
         wall_end_point(grain, pose, piece.now.b, piece.now.b, piece.now.a, 1, rules, points);
@@ -411,10 +427,17 @@ void wall_points(const Disk& disk, const Pose& pose, const Pose& pose_before, co
         add(pose.centre - height * normal, normal, height - disk.radius(), 0);
         return;
     }
+    if (now.in_run(piece.run)) {
+        const double height = std::abs(now.height);
+        const Vec2 normal = now.height > 0.0 ? line.left : Vec2(-line.left);
+        add(pose.centre - height * normal, normal, height - disk.radius(), 0);
+        return;
+    }
     const bool at_a = now.station < 0.0;
     if (at_a ? piece.at_a == Joint::straight : piece.at_b != Joint::free_end) return;  // the next piece's affair
     const Vec2 end = at_a ? piece.now.a : piece.now.b;
     const Vec2 out = pose.centre - end;
+    if (at_a && out.dot(piece.before_a - end) > 0.0) return;  // the piece before is nearer
     const double distance = std::sqrt(out.squaredNorm());
     if (distance > 0.0) add(end, out / distance, distance - disk.radius(), at_a ? 1 : 2);
 }

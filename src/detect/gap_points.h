@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/detect/overlap.h"
+#include "src/detect/wall_run.h"
 #include "src/geometry/shape.h"
 
 namespace polargrain {
@@ -62,7 +63,8 @@ struct GapPiece {
     WallPiece before;  ///< where it was at the grain's last pose that did not overlap
     Joint at_a = Joint::free_end, at_b = Joint::free_end;
     Vec2 before_a = Vec2::Zero();  ///< the chain's point before a [m]; a itself at a free end
-    bool one_sided = false;        ///< acts on its left side only: a moving wall, which may have run over a grain
+    WallRun run;
+    bool one_sided = false;  ///< acts on its left side only: a moving wall, which may have run over a grain
 };
 
 /// The same for a grain (i) and a wall piece (j). Walls are thin and act on both sides; which side a vertex is on is

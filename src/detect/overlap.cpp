@@ -38,6 +38,11 @@ bool overlap_pair(const Disk& a, const Pose& pose_a, const Disk& b, const Pose& 
     return (pose_b.centre - pose_a.centre).squaredNorm() < reach * reach;
 }
 
+/// Is a point at the squared distance d2 from the centre of mass deep inside the grain?
+bool holds_centre(const PolarPolygon& grain, const Pose& pose, const Vec2& point, double d2, double tolerance) {
+    return d2 < grain.outer_radius() * grain.outer_radius() && grain.depth(pose.to_local(point)) > tolerance;
+}
+
 bool overlap_pair(const PolarPolygon& a, const Pose& pose_a, const Disk& b, const Pose& pose_b) {
     const Vec2 between = pose_b.centre - pose_a.centre;
     const double d2 = between.squaredNorm();
@@ -45,7 +50,7 @@ bool overlap_pair(const PolarPolygon& a, const Pose& pose_a, const Disk& b, cons
     const double reach = a.outer_radius() + b.radius();
     if (d2 >= reach * reach) return false;
     const double sure = a.inner_radius() + b.radius() - tolerance;
-    if (d2 < sure * sure) return true;
+    if (d2 < sure * sure || holds_centre(a, pose_a, pose_b.centre, d2, tolerance)) return true;
     const double touching = (b.radius() - tolerance) * (b.radius() - tolerance);
     return any_facing_edge(
         a, Pose{pose_a.centre - pose_b.centre, pose_a.cosine, pose_a.sine}, b.radius(),
@@ -54,11 +59,6 @@ bool overlap_pair(const PolarPolygon& a, const Pose& pose_a, const Disk& b, cons
 
 bool overlap_pair(const Disk& a, const Pose& pose_a, const PolarPolygon& b, const Pose& pose_b) {
     return overlap_pair(b, pose_b, a, pose_a);
-}
-
-/// Is a point at the squared distance d2 from the centre of mass deep inside the grain?
-bool holds_centre(const PolarPolygon& grain, const Pose& pose, const Vec2& point, double d2, double tolerance) {
-    return d2 < grain.outer_radius() * grain.outer_radius() && grain.depth(pose.to_local(point)) > tolerance;
 }
 
 bool overlap_pair(const PolarPolygon& a, const Pose& pose_a, const PolarPolygon& b, const Pose& pose_b) {

@@ -40,6 +40,8 @@ struct Wall {
 
     bool present(double time) const { return !remove_at || time < *remove_at; }
     bool moves() const { return !std::holds_alternative<std::monostate>(motion); }
+    /// Do the pieces go round something? There and back along one piece does not.
+    bool closed() const { return points.size() > 3 && points.front() == points.back(); }
     int segments() const { return static_cast<int>(points.size()) - 1; }
 };
 

@@ -13,7 +13,7 @@ bool is_standard(const Expectation& expectation) {
     const ObservableSpec& spec = expectation.observable;
     const ObservableEntry* entry = find_observable(spec.quantity);
     const bool whole = !spec.region && !spec.shape && !spec.material && !spec.started_in;
-    return entry != nullptr && entry->standard && whole && spec.label.empty() && !expectation.to &&
+    return entry != nullptr && entry->standard && whole && spec.label.empty() && !expectation.from && !expectation.to &&
            expectation.statistic == Statistic::last;
 }
 

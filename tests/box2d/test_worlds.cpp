@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "src/core/error.h"
 #include "src/engines/box2d/box2d_engine.h"
 #include "tests/support/running.h"
 #include "tests/support/scenes.h"
@@ -133,6 +134,28 @@ TEST(Box2dWalls, ThatAreRemovedLetGo) {
     EXPECT_NEAR(sim.world.grains.y[0], 0.05, 1e-3);
     sim.run(0.5, 1e-3);
     EXPECT_NEAR(sim.world.grains.y[0], 0.05 - 0.5 * 9.81 * 0.09, 5e-3);
+}
+
+TEST(Box2dWalls, OfPiecesThatBox2dTakesForPointsAreRefused) {
+    Scene scene = testing::empty_scene(0.3, 0.3);
+    scene.add(Grain{testing::add_disk(scene, 0.05), 0, {0.0, 0.5}});
+    testing::add_wall(scene, "ring", {{-1.0, 0.0}, {0.0, 0.0}, {2e-5, 0.0}, {1.0, 0.0}, {0.0, 2.0}, {-1.0, 0.0}});
+    try {
+        make_box2d(scene, {});
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("wall \"ring\", piece 2"), std::string::npos) << error.what();
+    }
+}
+
+// There and back along one piece is no ring.
+TEST(Box2dWalls, ThatGoThereAndBackHoldAGrain) {
+    Scene scene = testing::empty_scene(0.0, 0.3);
+    scene.add(Grain{testing::add_disk(scene, 0.05), 0, {0.0, 0.051}});
+    testing::add_wall(scene, "plate", {{-1.0, 0.0}, {1.0, 0.0}, {-1.0, 0.0}});
+    Running sim(make_box2d, scene);
+    sim.run(0.3, 1e-3);
+    EXPECT_NEAR(sim.world.grains.y[0], 0.05, 1e-3);
 }
 
 TEST(Box2dWalls, EndInCornersThatHoldAGrain) {

@@ -72,6 +72,46 @@ TEST_F(Verify, KeepsRunsOfSeveralSeedsAndTheirTable) {
     EXPECT_THAT(again.err, HasSubstr("--force"));
 }
 
+// Disks of random sizes: the diameter that lengths are counted in is another for each seed.
+TEST_F(Verify, CountsEverySeedInItsOwnUnits) {
+    scratch_.write("sizes.toml", R"(
+[run]
+duration = 0.01
+[materials.m]
+density = 1000.0
+restitution = 0.5
+friction = 0.3
+[shapes.ball]
+type = "disk"
+radius = 0.05
+[[walls]]
+name = "floor"
+material = "m"
+points = [[-1.0, -1.0], [1.0, -1.0]]
+[[fill]]
+count = 1
+shapes = ["ball"]
+material = "m"
+region = [[-0.5, 0.0], [0.5, 1.0]]
+size = { distribution = "uniform", min = 0.2, max = 2.0 }
+[[expect]]
+quantity = "centre_of_mass_y"
+unit = "d"
+min = 0.0
+)");
+    const auto measured = [&](std::vector<std::string> arguments, const std::string& folder) {
+        arguments.insert(arguments.begin(), {"sizes.toml", "-o", folder});
+        EXPECT_EQ(verify(arguments).exit_code, 0);
+        const std::string table = read_file(scratch_ / folder / "verify.csv");
+        const std::string row = table.substr(table.find("\nsizes,centre_of_mass_y,d,") + 26);
+        return std::stod(row);
+    };
+    double sum = 0.0;
+    for (const char* seed : {"1", "2", "3"})
+        sum += measured({"--set", std::string("run.seed=") + seed}, std::string("one") + seed);
+    EXPECT_NEAR(measured({"--set", "run.seed=1", "--seeds", "3"}, "three"), sum / 3.0, 1e-3 * sum);
+}
+
 TEST_F(Verify, DoesNotReplaceATableUnasked) {
     scratch_.write("three.toml", with_band("min = 9.9"));
     scratch_.write("four.toml", with_band("min = 9.8"));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include "src/compare/jitter.h"
 #include "src/engines/box2d/box2d_engine.h"
 #include "src/engines/contact/contact_engine.h"
+#include "src/run/measurements.h"
 #include "tests/support/scenes.h"
 
 namespace polargrain {
@@ -85,6 +87,20 @@ TEST(Meters, MeasureTheOverlapOfOutlinesNotWhatTheEngineBelieves) {
     const Track track = follow(scene, idle, 0.1, 1.0, meters, {.every = 0.1}, {}, interrupted);
     const double diameter = 0.1 * std::sqrt(2.0);
     EXPECT_NEAR(track.values[index_of(track, "overlap_percent_of_diameter")], 100.0 * 0.01 / diameter, 1e-6);
+}
+
+TEST(Meters, TakeEveryExpectationUnderTheNameThatARunGivesIt) {
+    Scene scene = testing::empty_scene(0.5, 0.5, 0.0);
+    scene.add(Grain{testing::add_disk(scene, 0.01), 0});
+    std::vector<Expectation> expectations(3);
+    for (Expectation& e : expectations) e.observable.quantity = "share_in_region";
+    for (std::size_t k = 0; k < 3; ++k) expectations[k].observable.region = Region{{0.0, 0.0}, {1.0, 1.0 + double(k)}};
+    const Meters meters(scene, expectations, {}, 1.0);
+    std::vector<std::string> names;
+    for (const Quantity& quantity : meters.quantities()) names.push_back(quantity.name);
+    for (const std::string& label : expectation_labels(expectations)) {
+        EXPECT_EQ(std::ranges::count(names, label), 1) << label;
+    }
 }
 
 TEST(Jitter, MovesNothingAndGivesEverySeedItsOwnVelocities) {

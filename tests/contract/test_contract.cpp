@@ -165,6 +165,25 @@ TEST_P(EveryEngine, ReportsContactsInOrderWithTheNormalOutOfTheFirst) {
     }
 }
 
+// A disk that bounces and a bed that comes down: whatever pushed in the step is in the report, over or not.
+TEST_P(EveryEngine, ReportsContactsThatAddUpToWhatWallsFelt) {
+    Running sim(GetParam().make, testing::pour(testing::PourShape::mixed, 60, 5, 0.5, 0.4, 8));
+    double sum_of_forces = 0.0;
+    sim.run(0.4, dt(), [&] {
+        std::vector<Vec2> on_wall(sim.report.walls.size(), Vec2::Zero());
+        for (const Contact& c : sim.report.contacts) {
+            if (is_wall(c.a)) on_wall[static_cast<std::size_t>(wall_index(c.a))] -= c.impulse;
+        }
+        for (std::size_t w = 0; w < on_wall.size(); ++w) {
+            const Vec2 felt = sim.report.walls[w].linear;
+            sum_of_forces += felt.norm();
+            ASSERT_LT((on_wall[w] - felt).norm(), GetParam().free_flight * (1.0 + felt.norm()))
+                << "wall " << w << " at step " << sim.world.step;
+        }
+    });
+    EXPECT_GT(sum_of_forces, 0.1 * sim.weight() * 0.4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Engines, EveryEngine, ::testing::ValuesIn(testing::k_engines),
                          [](const auto& engine) { return engine.param.name; });
 

@@ -114,21 +114,21 @@ TEST(MixedBed, ReportsContactsUnderTheScenesNumbers) {
         }
         if (is_wall(c.a)) continue;
         const Vec2 way = grains.position(c.b) - grains.position(c.a);
-        EXPECT_NEAR(way.dot(c.normal), 0.02 + c.gap, 1e-12);
+        if (c.gap < 0.0) {
+            EXPECT_NEAR(way.dot(c.normal), 0.02 + c.gap, 1e-12);
+        }
     }
-    // What the report says pushed a grain moved it, but where a contact has ended in the step, which is not in it.
+    // What the report says pushed a grain moved it.
     std::vector<Vec2> momentum(grains.x.size(), Vec2::Zero());
     for (const Contact& c : contacts) {
         momentum[Grains::at(c.b)] += c.impulse;
         if (!is_wall(c.a)) momentum[Grains::at(c.a)] -= c.impulse;
     }
-    int as_reported = 0;
     for (GrainIndex k = 0; k < grains.size(); ++k) {
         const Vec2 gained =
             grains.mass[Grains::at(k)] * (grains.velocity(k) - before.velocity(k) - MixedBed::k_step * scene.gravity);
-        as_reported += (gained - momentum[Grains::at(k)]).norm() < 1e-12 ? 1 : 0;
+        ASSERT_LT((gained - momentum[Grains::at(k)]).norm(), 1e-12);
     }
-    EXPECT_GT(as_reported, grains.size() * 9 / 10);
 }
 
 // Friction remembers across a renumbering: the same motion comes out but for rounding. Velocity Verlet would mend one

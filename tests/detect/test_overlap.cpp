@@ -22,6 +22,7 @@ Scene one_of_each() {
     testing::add_rough(scene, 0.015, 0.3, 1);
     testing::add_rough(scene, 0.004, 0.2, 2);
     testing::add_rectangle(scene, 0.06, 0.004);
+    testing::add_disk(scene, 0.001);
     return scene;
 }
 
@@ -73,6 +74,19 @@ TEST(Overlap, OfWallPiecesAgreesWithAnIndependentTest) {
         overlapping += found ? 1 : 0;
     }
     EXPECT_GT(overlapping, 2000);
+}
+
+TEST(Overlap, SeesADiskInsideABarFarFromItsMiddle) {
+    Scene scene = testing::empty_scene(0.0, 0.0);
+    scene.add(Grain{testing::add_rectangle(scene, 0.4, 0.1), 0, {0.0, 0.0}, 0.3});
+    scene.add(Grain{testing::add_disk(scene, 0.01), 0});
+    const Shape& bar = scene.shape_of(0);
+    const Shape& disk = scene.shape_of(1);
+    const Pose middle = scene.grains.pose(0);
+    const auto disk_at = [&](double along, double across) { return Pose::at(middle.to_world({along, across}), 0.0); };
+    EXPECT_TRUE(overlap(bar, middle, disk, disk_at(0.15, 0.0)));
+    EXPECT_TRUE(overlap(disk, disk_at(-0.15, 0.03), bar, middle));
+    EXPECT_FALSE(overlap(bar, middle, disk, disk_at(0.15, 0.061)));
 }
 
 TEST(Overlap, SeesCrossedBarsWithoutAVertexInside) {

@@ -80,7 +80,41 @@ TEST(Incline, ADiskRollsWithTwoThirdsOfTheAcceleration) {
     const double exact = k_g * std::sin(slope) / 3.0;
     fmt::print("rolled {:.6f} m, exact {:.6f}\n", sim.world.grains.x[0], exact);
     EXPECT_NEAR(sim.world.grains.x[0] / exact, 1.0, 2e-3);
-    EXPECT_NEAR(-0.01 * sim.world.grains.spin[0] / sim.world.grains.vx[0], 1.0, 2e-3);
+    EXPECT_NEAR(-0.01 * sim.world.grains.spin[0] / sim.world.grains.vx[0], 1.0, 1e-6);
+}
+
+// A disk strikes the floor aslant and slides throughout: w = -2 mu (1 + e) v_n / R, at whatever moment of a step.
+TEST(ObliqueBounce, GivesADiskTheSpinOfCoulombsLawAtEveryStep) {
+    constexpr double e = 0.6;
+    constexpr double mu = 0.1;
+    constexpr double radius = 0.05;
+    for (const double dt : {1e-2, 3e-3, 1e-3}) {
+        for (int phase = 0; phase < 8; ++phase) {
+            Scene scene = testing::empty_scene(e, mu, 0.0);
+            testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}});
+            const double height = radius + 0.02 + 0.125 * phase * dt;
+            scene.add(Grain{testing::add_disk(scene, radius), 0, {-0.2, height}, 0.0, {2.0, -1.0}, 0.0});
+            Running sim(make_contact, scene);
+            sim.run(0.06, dt);
+            EXPECT_NEAR(sim.world.grains.vy[0], e, 1e-9);
+            EXPECT_NEAR(sim.world.grains.vx[0], 2.0 - mu * (1.0 + e), 1e-9);
+            EXPECT_NEAR(sim.world.grains.spin[0], -2.0 * mu * (1.0 + e) / radius, 1e-9) << dt << ", " << phase;
+        }
+    }
+}
+
+// Two equal disks that graze get equal spins, and the one that is named first no more of it.
+TEST(ObliqueBounce, GivesTwoEqualDisksTheSameSpin) {
+    for (int phase = 0; phase < 8; ++phase) {
+        Scene scene = testing::empty_scene(0.6, 0.1, 0.0);
+        const ShapeIndex disk = testing::add_disk(scene, 0.05);
+        scene.add(Grain{disk, 0, {0.0, 0.0}, 0.0, {0.0, 0.0}, 0.0});
+        scene.add(Grain{disk, 0, {-0.2 - 0.00125 * phase, 0.03}, 0.0, {1.0, 0.0}, 0.0});
+        Running sim(make_contact, scene);
+        sim.run(0.4, 1e-2);
+        EXPECT_NE(sim.world.grains.spin[0], 0.0);
+        EXPECT_NEAR(sim.world.grains.spin[0], sim.world.grains.spin[1], 1e-9);
+    }
 }
 
 }  // namespace

@@ -46,7 +46,10 @@ TEST(Measurements, GiveTheStandardObservablesAndTheExpectedOnes) {
     late.from = 0.75;
     Expectation change = expecting("centre_of_mass_y", Statistic::change);
     change.to = 0.55;
-    const auto values = measured({expecting("centre_of_mass_y"), late, change});
+    Expectation too_late = expecting("centre_of_mass_x");
+    too_late.from = 5.0;
+    const auto values = measured({expecting("centre_of_mass_y"), late, change, too_late});
+    EXPECT_EQ(values.count("centre_of_mass_x_2"), 0U) << "the run is over before it begins";
     EXPECT_NEAR(values.at("centre_of_mass_y"), y(1.0), 1e-9);
     EXPECT_NEAR(values.at("centre_of_mass_y_mean"), (y(0.8) + y(0.9) + y(1.0)) / 3.0, 1e-9);
     EXPECT_NEAR(values.at("centre_of_mass_y_change"), y(0.5) - y(0.0), 1e-9);

@@ -45,7 +45,9 @@ struct Memory {
 class Box2dEngine final : public Engine {
 public:
     Box2dEngine(const Scene& scene, const Box2dSettings& settings)
-        : scene_(scene), setup_{box2d_unit(scene, settings), settings, {}} {}
+        : scene_(scene), setup_{box2d_unit(scene, settings), settings, {}} {
+        for (const Wall& wall : scene.walls) check_pieces(wall);
+    }
 
     std::string_view name() const override { return "box2d"; }
     std::vector<std::string> notes() const override;
@@ -76,6 +78,8 @@ public:
     void load(const Checkpoint& checkpoint) override;
 
 private:
+    /// InputError where Box2D would take the ends of a piece of a closed chain for one point, and end the program.
+    void check_pieces(const Wall& wall) const;
     Memory memory() const;
 
     bool fits(const World& world, double dt) const {
@@ -150,6 +154,18 @@ private:
     MotionState built_from_;
     std::vector<WarmStart> built_with_;
 };
+
+void Box2dEngine::check_pieces(const Wall& wall) const {
+    const double least = 2.0 * k_slop * setup_.unit;
+    for (std::size_t k = 1; wall.closed() && k < wall.points.size(); ++k) {
+        const double length = std::sqrt((wall.points[k] - wall.points[k - 1]).squaredNorm());
+        require(
+            length > least,
+            "box2d: wall \"{}\", piece {}: {:.3g} m long, and a piece of a closed chain must be longer than {:.3g} m "
+            "here, as Box2D takes nearer points for one; leave one of its ends out",
+            wall.name, k, length, least);
+    }
+}
 
 std::vector<std::string> Box2dEngine::notes() const {
     std::vector<std::string> notes{

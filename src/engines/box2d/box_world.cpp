@@ -133,7 +133,7 @@ void BoxWorld::add_wall(int wall, double time) {
 
     std::vector<b2Vec2> points;
     for (const Vec2& p : source.points) points.push_back(to_units(p - frame_origin(source)));
-    if (source.points.front() == source.points.back()) {
+    if (source.closed()) {
         add_closed_chain(walls_[w], points, first_piece_[w]);
     } else {
         add_open_chain(walls_[w], points, first_piece_[w]);

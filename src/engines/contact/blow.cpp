@@ -68,7 +68,7 @@ BlowSolver::Answer BlowSolver::answer(const GapContact& c, double restitution, c
                                       const Stance& stance_j) const {
     const auto footing = [&](BodyIndex body, const Stance& stance) {
         if (is_wall(body)) return Footing(c.wall_velocity);
-        const Vec2& centre = halfway_->centre(body);
+        const Vec2 centre = c.point - halfway_->arm(c, body);
         if (stance.free()) return Footing((*bodies_)[at(body)], centre);
         return Footing((*bodies_)[at(body)], centre, contact(stance.foot), stance.grip);
     };

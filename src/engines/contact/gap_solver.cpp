@@ -71,14 +71,14 @@ void GapSolver::prepare(std::vector<GapContact>& contacts, const std::vector<Sol
 void GapSolver::prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies) const {
     const Vec2 t = c.tangent();
     const SolverBody& i = bodies[at(c.i)];
-    const Vec2 arm_i = c.point - halfway_.centre(c.i);
+    const Vec2 arm_i = halfway_.arm(c, c.i);
     c.arm_ni = cross(arm_i, c.normal);
     c.arm_ti = cross(arm_i, t);
     double n = i.inverse_mass + i.inverse_inertia * c.arm_ni * c.arm_ni;
     double s = i.inverse_mass + i.inverse_inertia * c.arm_ti * c.arm_ti;
     if (!is_wall(c.j)) {
         const SolverBody& j = bodies[at(c.j)];
-        const Vec2 arm_j = c.point - halfway_.centre(c.j);
+        const Vec2 arm_j = halfway_.arm(c, c.j);
         c.arm_nj = cross(arm_j, c.normal);
         c.arm_tj = cross(arm_j, t);
         n += j.inverse_mass + j.inverse_inertia * c.arm_nj * c.arm_nj;

@@ -16,10 +16,6 @@ Joint joint_between(const Vec2& before, const Vec2& at, const Vec2& after) {
     return turn > 0.0 ? Joint::left_turn : Joint::right_turn;
 }
 
-bool closed(const Wall& wall) {
-    return (wall.points.front() - wall.points.back()).squaredNorm() == 0.0 && wall.points.size() > 3;
-}
-
 }  // namespace
 
 GapWalls::GapWalls(const Scene& scene) : scene_(scene) {
@@ -34,10 +30,11 @@ GapWalls::GapWalls(const Scene& scene) : scene_(scene) {
 void GapWalls::find_joints(const Wall& wall) {
     const std::vector<Vec2>& p = wall.points;
     const std::size_t last = p.size() - 1;
-    std::vector<Ends> ends(last, {Joint::free_end, Joint::free_end});
+    std::vector<Ends> ends(last, {Joint::free_end, Joint::free_end, {}});
     for (std::size_t k = 0; k < last; ++k) {
-        if (k > 0 || closed(wall)) ends[k].at_a = joint_between(k > 0 ? p[k - 1] : p[last - 1], p[k], p[k + 1]);
-        if (k + 1 < last || closed(wall)) ends[k].at_b = joint_between(p[k], p[k + 1], k + 1 < last ? p[k + 2] : p[1]);
+        ends[k].run = run_of_piece(p, wall.closed(), k);
+        if (k > 0 || wall.closed()) ends[k].at_a = joint_between(k > 0 ? p[k - 1] : p[last - 1], p[k], p[k + 1]);
+        if (k + 1 < last || wall.closed()) ends[k].at_b = joint_between(p[k], p[k + 1], k + 1 < last ? p[k + 2] : p[1]);
     }
     joints_.push_back(std::move(ends));
 }
@@ -79,8 +76,9 @@ void GapWalls::place(int number, double time_before, double time_now) {
         piece.before = {before.point(wall.points[k]), before.point(wall.points[k + 1])};
         piece.at_a = joints_[w][k].at_a;
         piece.at_b = joints_[w][k].at_b;
+        piece.run = joints_[w][k].run;
         // Where the chain comes from; the last piece of a closed one leads to its first.
-        const bool goes_on = k > 0 || closed(wall);
+        const bool goes_on = k > 0 || wall.closed();
         piece.before_a = goes_on ? placed_[first + (k > 0 ? k : count) - 1].piece.a : piece.now.a;
         pieces_.push_back(piece);
     }

@@ -31,6 +31,7 @@ public:
 private:
     struct Ends {
         Joint at_a, at_b;
+        WallRun run;
     };
 
     void find_joints(const Wall& wall);

@@ -1,5 +1,6 @@
 #include "src/engines/contact/halfway.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/engines/contact/gap_detection.h"
@@ -37,18 +38,27 @@ void Halfway::carry(GapContact& c) const {
         return;
     }
     // The point of a disk stays below its centre, along a normal that turns with what it faces.
-    const Vec2 arm = c.point - start_->centre[Grains::at(owner)];
-    if (is_wall(other)) {
-        c.point = centre(owner) + arm;
-    } else if (std::holds_alternative<Disk>(scene_.shape_of(other))) {
-        const Vec2 apart = centre(c.i) - centre(c.j);
-        c.normal = apart / std::sqrt(apart.squaredNorm());
-        const double length = std::sqrt(arm.squaredNorm());
-        c.point = centre(owner) + (c.on_i ? -length : length) * c.normal;
-    } else {
-        c.normal = turned(other, c.normal);
-        c.point = centre(owner) + turned(other, arm);
+    if (!is_wall(other)) {
+        if (std::holds_alternative<Disk>(scene_.shape_of(other))) {
+            const Vec2 apart = centre(c.i) - centre(c.j);
+            c.normal = apart / std::sqrt(apart.squaredNorm());
+        } else {
+            c.normal = turned(other, c.normal);
+        }
     }
+    c.point = centre(owner) + disk_arm(c, owner);
+}
+
+Vec2 Halfway::disk_arm(const GapContact& c, GrainIndex grain) const {
+    const bool two = !is_wall(c.j) && std::holds_alternative<Disk>(scene_.shape_of(c.i == grain ? c.j : c.i));
+    const double gap = two ? 0.5 * std::clamp(c.gap, 0.0, c.resting) : 0.0;
+    const double length = std::get<Disk>(scene_.shape_of(grain)).radius() + gap;
+    return (c.i == grain ? -length : length) * c.normal;
+}
+
+Vec2 Halfway::arm(const GapContact& c, GrainIndex grain) const {
+    if (std::holds_alternative<Disk>(scene_.shape_of(grain))) return disk_arm(c, grain);
+    return c.point - centre(grain);
 }
 
 }  // namespace polargrain

@@ -24,6 +24,12 @@ public:
     /// Takes a contact's point and normal, found at the start, to the middle.
     void carry(GapContact& c) const;
 
+    /// From the centre of a grain to where its surface meets the other body's, of a contact that has been carried [m].
+    ///
+    /// A disk's arm is its radius, whatever the gap was at the start: when the impulse comes, the gap is closed. Two
+    /// disks share the gap at which they rest, so that their arms meet.
+    Vec2 arm(const GapContact& c, GrainIndex grain) const;
+
     /// Centre of mass in the middle of the step [m].
     const Vec2& centre(GrainIndex grain) const { return centre_[Grains::at(grain)]; }
 
@@ -34,6 +40,8 @@ private:
     struct Turn {
         double cosine = 1.0, sine = 0.0;
     };
+    Vec2 disk_arm(const GapContact& c, GrainIndex grain) const;
+
     const Scene& scene_;
     const PoseSet* start_ = nullptr;
     std::vector<Vec2> centre_;

@@ -49,6 +49,7 @@ public:
             state_.time = world.time + static_cast<double>(part) * h;
             std::visit([&](auto& scheme) { scheme.step(system_, state_, h); }, integrator_);
             account_losses(system_, report);
+            system_.add_ended(ended_);
             account(part + 1 == parts ? Instant::last : Instant::inner, h, report);
         }
         write(world);
@@ -167,20 +168,24 @@ private:
         }
     }
 
-    /// Under the scene's numbers, sorted by them. `weight`: for how long the forces at the end have acted [s].
+    /// Under the scene's numbers, sorted by them: what touches, and what has pushed in the step but has ended.
+    /// `weight`: for how long the forces at the end have acted [s].
     void report_contacts(double weight, StepReport& report) {
-        std::vector<SoftContact>& contacts = system_.contacts();
+        std::vector<SoftContact>& touching = system_.contacts();
         const auto number = [&](BodyIndex body) { return is_wall(body) ? body : system_.numbers()[Grains::at(body)]; };
         pairs_.clear();
-        for (const SoftContact& c : contacts) pairs_.push_back(std::minmax({number(c.a), number(c.b)}));
+        for (const SoftContact& c : touching) pairs_.push_back(std::minmax({number(c.a), number(c.b)}));
+        for (const SoftContact& c : ended_) pairs_.push_back(std::minmax({number(c.a), number(c.b)}));
         for (const std::uint32_t k : sorter_.sort(pairs_, scene_.walls.size(), scene_.grains.x.size())) {
-            SoftContact& c = contacts[k];
+            const bool touches = k < touching.size();
+            SoftContact& c = touches ? touching[k] : ended_[k - touching.size()];
             const double sign = number(c.a) == pairs_[k].first ? 1.0 : -1.0;
-            const Vec2 impulse = sign * (c.impulse + weight * c.force());
-            report.contacts.push_back(
-                {pairs_[k].first, pairs_[k].second, c.centre_of_pressure(), sign * c.normal, -c.depth, impulse});
+            if (touches) c.impulse += weight * c.force();
+            report.contacts.push_back({pairs_[k].first, pairs_[k].second, c.point, sign * c.normal,
+                                       touches ? -c.depth : 0.0, sign * c.impulse});
             c.impulse = Vec2::Zero();
         }
+        ended_.clear();
     }
 
     void finish_report(const World& world, double energy_before, const StoredEnergy& stored_before,
@@ -201,6 +206,7 @@ private:
     Integrator integrator_;
     double longest_part_;  ///< [s]
     SchemeState state_;
+    std::vector<SoftContact> ended_;       ///< in the step at hand
     std::vector<PairSorter::Pair> pairs_;  ///< of the contacts, under the scene's numbers
     PairSorter sorter_;
     std::vector<double> at_work_;                       ///< velocities of a half step

@@ -54,7 +54,7 @@ inline double damped_force(double elastic_force, double damping, double closing,
 /// Normal force of a face and its moment about the middle of the face.
 struct FaceForce {
     double force = 0.0;   ///< [N/m], pushing apart
-    double moment = 0.0;  ///< [N], of the same sign as a spin
+    double moment = 0.0;  ///< [N], counter-clockwise, on the body that spins: against its spin
 };
 
 /// damped_force spread evenly over a face of the given width [m] that turns at `spin` [rad/s] against the other body

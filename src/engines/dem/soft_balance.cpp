@@ -59,14 +59,15 @@ void SoftSystem::balance_work(double h, std::span<double> v) {
 
 // Spring and dashpot of a contact that has ended worked on the part of the way that lay inside it: as much of it as the
 // spring had energy for.
-void SoftSystem::end_contact(const SoftContact& old, double h, std::span<double> v) {
+void SoftSystem::end_contact(SoftContact& old, double h, std::span<double> v) {
     if (is_wall(old.a) && !walls_.present(old.a)) return;
     const double way = way_of(old, previous_x_, accepted_x_, h);
     const double elastic = 0.5 * old.elastic_normal * way;
     if (!(elastic > 0.0)) return;
     const double missed = 1.0 - old.stored_normal / elastic;
     balance_.spared += 0.5 * missed * (old.elastic_normal - old.normal_force) * way;
-    balance(old, previous_x_, -0.5 * missed * old.normal_force * way, 0.5 * h * std::abs(old.normal_force), v);
+    old.impulse +=
+        balance(old, previous_x_, -0.5 * missed * old.normal_force * way, 0.5 * h * std::abs(old.normal_force), v);
 }
 
 double SoftSystem::way_of(const SoftContact& old, const Shift& a, const Shift& b, std::span<const double> from,

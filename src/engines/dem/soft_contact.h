@@ -36,10 +36,6 @@ struct SoftContact {
     }
 
     Vec2 force() const { return normal_force * normal + sliding_force * left_normal(normal); }
-    /// Where a single force would have to act to have the same moment [m].
-    Vec2 centre_of_pressure() const {
-        return moment == 0.0 ? point : Vec2(point - moment / normal_force * left_normal(normal));
-    }
 };
 
 /// Energy in springs [J/m].

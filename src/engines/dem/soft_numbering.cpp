@@ -44,6 +44,8 @@ void SoftSystem::renumber(const Numbering& numbers) {
         if (c.a > c.b) {
             std::swap(c.a, c.b);
             c.normal = -c.normal;
+            c.moment = -c.moment;
+            c.impulse = -c.impulse;
         }
         pairs.emplace_back(c.a, c.b);
     }

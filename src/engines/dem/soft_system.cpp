@@ -112,6 +112,13 @@ void SoftSystem::accept(double time, std::span<const double> x) {
     accepted_x_.assign(x.begin(), x.end());
 }
 
+void SoftSystem::add_ended(std::vector<SoftContact>& ended) const {
+    for (const std::size_t k : ended_) {
+        ended.push_back(next_[k]);
+        ended.back().impulse += weight_ * next_[k].force();
+    }
+}
+
 void SoftSystem::set_accepted(double time, std::span<const double> x) {
     walls_.place(time);
     accepted_time_ = time;

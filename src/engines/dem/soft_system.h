@@ -51,6 +51,8 @@ public:
 
     const std::vector<SoftContact>& contacts() const { return contacts_; }
     std::vector<SoftContact>& contacts() { return contacts_; }
+    /// Appends the contacts that the last accepted evaluation ended, with their impulses up to there.
+    void add_ended(std::vector<SoftContact>& ended) const;
     /// For how long the accepted forces act [s], as far as the contacts' impulses go.
     void weigh(double time) { weight_ = time; }
     /// Of the body's material where it is a wall, at the world's origin; none for a grain.
@@ -170,7 +172,7 @@ private:
         const Shift a = is_wall(old.a) ? Shift{} : shift_of(old.a, from, to);
         return way_of(old, a, shift_of(old.b, from, to), from, dt);
     }
-    void end_contact(const SoftContact& old, double h, std::span<double> v);
+    void end_contact(SoftContact& old, double h, std::span<double> v);
     /// The impulse on b that adds the energy [J/m], but at most `most` [N s/m].
     Vec2 balance(const SoftContact& c, std::span<const double> x, double energy, double most, std::span<double> v);
     void push(BodyIndex grain, const Vec2& arm, const Vec2& impulse, std::span<double> v);

@@ -29,7 +29,8 @@ SoftWalls::SoftWalls(const Scene& scene) : scene_(scene) {
 }
 
 void SoftWalls::enter(int wall) {
-    const std::vector<Vec2>& points = scene_.walls[static_cast<std::size_t>(wall)].points;
+    const Wall& source = scene_.walls[static_cast<std::size_t>(wall)];
+    const std::vector<Vec2>& points = source.points;
     std::vector<Vec2> corners;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const bool inside = k > 0 && k + 1 < points.size();
@@ -38,7 +39,7 @@ void SoftWalls::enter(int wall) {
     }
     const auto first = static_cast<int>(pieces_.size());
     const auto count = static_cast<int>(corners.size()) - 1;
-    const bool closed = count > 1 && corners.front() == corners.back();
+    const bool closed = source.closed();
     for (int k = 0; k < count; ++k) {
         SoftPiece piece;
         piece.wall = wall;
