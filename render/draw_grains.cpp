@@ -3,6 +3,7 @@
 
 #include "render/painting.h"
 #include "src/core/elementary.h"
+#include "src/observe/kind.h"
 
 namespace polargrain {
 
@@ -77,12 +78,6 @@ void draw_grain(cairo_t* cr, const Shape& shape, const Pose& pose, const Project
     draw_mark(cr, shape, pose, to_paper, fill);
 }
 
-/// The scenario's name of a shape, without what tells its draws and sizes apart: "grain" of "grain#498*1.1".
-std::string shape_kind(const Shape& shape) {
-    const std::string& whole = name(shape);
-    return whole.substr(0, whole.find_first_of("#*"));
-}
-
 bool visible(const Vec2& centre, double reach, const Rect& plot) {
     return centre.x() + reach > plot.x && centre.x() - reach < plot.right() && centre.y() + reach > plot.y &&
            centre.y() - reach < plot.bottom();
@@ -131,7 +126,7 @@ Colour fill_for(const FrameStyle& style, double value) {
 std::vector<std::string> shape_kinds(const Scene& scene) {
     std::vector<std::string> kinds;
     for (const auto& shape : scene.shapes) {
-        const std::string kind = shape_kind(*shape);
+        const std::string kind = declared_name(*shape);
         if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
     }
     return kinds;
@@ -168,7 +163,7 @@ private:
     void sort_shapes() {
         const std::vector<std::string> kinds = shape_kinds(picture_.scene);
         for (const auto& shape : picture_.scene.shapes) {
-            const auto found = std::find(kinds.begin(), kinds.end(), shape_kind(*shape));
+            const auto found = std::find(kinds.begin(), kinds.end(), declared_name(*shape));
             kind_.push_back(static_cast<int>(found - kinds.begin()));
         }
     }

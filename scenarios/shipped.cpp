@@ -1,11 +1,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <optional>
-#include <system_error>
 
 #include "scenarios/reader.h"
+#include "src/core/data_folder.h"
 #include "src/core/error.h"
 #include "src/core/nearest_name.h"
 
@@ -16,12 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* k_extension = ".toml";
-
-std::optional<fs::path> folder_below(const fs::path& data) {
-    std::error_code status;
-    const fs::path folder = data / "scenarios";
-    return fs::is_directory(folder, status) ? std::optional(folder) : std::nullopt;
-}
 
 std::vector<std::string> shipped_names() {
     std::vector<std::string> names;
@@ -45,22 +37,7 @@ std::string title_of(const fs::path& path) {
 
 }  // namespace
 
-fs::path scenario_folder() {
-    if (const char* data = std::getenv("POLARGRAIN_DATA")) {
-        const auto folder = folder_below(data);
-        require(folder.has_value(), "POLARGRAIN_DATA is {}: there is no folder scenarios in it", data);
-        return *folder;
-    }
-    if (const auto folder = folder_below(POLARGRAIN_DATA_FOLDER)) return *folder;
-    std::error_code status;
-    const fs::path program = fs::read_symlink("/proc/self/exe", status);
-    const auto folder = folder_below(program.parent_path().parent_path() / "share" / "polargrain");
-    require(
-        folder.has_value(),
-        "the shipped scenarios are not to be found; set the environment variable POLARGRAIN_DATA to the folder that "
-        "holds scenarios");
-    return *folder;
-}
+fs::path scenario_folder() { return data_folder("scenarios"); }
 
 std::vector<ScenarioEntry> shipped_scenarios() {
     std::vector<ScenarioEntry> entries;

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <optional>
 #include <system_error>
 
+#include "src/core/data_folder.h"
 #include "src/core/elementary.h"
 #include "src/core/error.h"
 #include "src/core/nearest_name.h"
@@ -143,12 +142,6 @@ private:
     toml::table root_;
 };
 
-std::optional<fs::path> folder_below(const fs::path& data) {
-    const fs::path folder = data / "shapes" / "outlines";
-    std::error_code status;
-    return fs::is_directory(folder, status) ? std::optional(folder) : std::nullopt;
-}
-
 std::vector<std::string> library_names() {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(shape_library_folder())) {
@@ -162,22 +155,7 @@ std::vector<std::string> library_names() {
 
 OutlineFile read_outline_file(const fs::path& path) { return Reader(path).read(); }
 
-fs::path shape_library_folder() {
-    if (const char* data = std::getenv("POLARGRAIN_DATA")) {
-        const auto folder = folder_below(data);
-        require(folder.has_value(), "POLARGRAIN_DATA is {}: there is no folder shapes/outlines in it", data);
-        return *folder;
-    }
-    if (const auto folder = folder_below(POLARGRAIN_DATA_FOLDER)) return *folder;
-    std::error_code status;
-    const fs::path program = fs::read_symlink("/proc/self/exe", status);
-    const auto folder = folder_below(program.parent_path().parent_path() / "share" / "polargrain");
-    require(folder.has_value(),
-            "the shipped outlines are neither in {} nor in ../share/polargrain beside the program: set POLARGRAIN_DATA "
-            "to the folder that holds shapes/outlines",
-            POLARGRAIN_DATA_FOLDER);
-    return *folder;
-}
+fs::path shape_library_folder() { return data_folder("shapes/outlines"); }
 
 std::vector<OutlineFile> shape_library() {
     std::vector<OutlineFile> library;

@@ -291,11 +291,6 @@ struct OverPiece {
     double station;
     double length;
     bool within() const { return station >= 0.0 && station <= length; }
-    /// Past an end, where the piece's line bounds the free space on the point's side still?
-    bool in_run(const WallRun& run) const {
-        if (station < 0.0) return -station <= (height > 0.0 ? run.left_of_a : run.right_of_a);
-        return station - length <= (height > 0.0 ? run.left_of_b : run.right_of_b);
-    }
 };
 
 /// The straight line of a wall piece.
@@ -355,7 +350,7 @@ void wall_vertex_points(const PolarPolygon& grain, const Pose& pose, const Pose&
         const Vec2 p = pose.to_world(grain.vertex(k));
         const OverPiece now = line.over(p);
         if (std::abs(now.height) > rules.margin + grain.outer_radius()) continue;
-        if (!now.within() && !now.in_run(piece.run)) continue;
+        if (!now.within() && !piece.bounds_past_end(p)) continue;
         const Side side = now.within() ? side_of(now, line_before.over(pose_before.to_world(grain.vertex(k))), home,
                                                  grain.outer_radius(), overrun)
                                        : Side{now.height, false};
@@ -370,6 +365,11 @@ void wall_vertex_points(const PolarPolygon& grain, const Pose& pose, const Pose&
                   rules.resting);
         points.push_back(point);
     }
+}
+
+/// Where the chain comes from to the start of the piece; that itself at a free end.
+const Vec2& start_before(const GapPiece& piece) {
+    return piece.previous != nullptr ? piece.previous->now.a : piece.now.a;
 }
 
 void wall_end_point(const PolarPolygon& grain, const Pose& pose, const Vec2& end, const Vec2& beyond, const Vec2& other,
@@ -392,22 +392,13 @@ void wall_end_point(const PolarPolygon& grain, const Pose& pose, const Vec2& end
     }
 }
 
-/// Does the joint at a point away from a body with its centre there? It lies before the lines of both pieces then, and
-/// meets them before it could come to where they join.
-bool points_away(const GapPiece& piece, const Vec2& centre) {
-    const double bend = piece.at_a == Joint::left_turn ? 1.0 : -1.0;
-    if (piece.at_a != Joint::left_turn && piece.at_a != Joint::right_turn) return false;
-    return bend * cross(piece.now.b - piece.now.a, centre - piece.now.a) > 0.0 &&
-           bend * cross(piece.now.a - piece.before_a, centre - piece.now.a) > 0.0;
-}
-
 void wall_points(const PolarPolygon& grain, const Pose& pose, const Pose& pose_before, const GapPiece& piece,
                  bool overrun, const GapRules& rules, std::vector<GapPoint>& points) {
     const std::size_t first = points.size();
     wall_vertex_points(grain, pose, pose_before, piece, overrun, rules, points);
     // A joint belongs to the piece that begins there.
-    if (piece.at_a != Joint::straight && !points_away(piece, pose.centre))
-        wall_end_point(grain, pose, piece.now.a, piece.before_a, piece.now.b, 0, rules, points);
+    if (piece.at_a != Joint::straight && !piece.points_away_from(pose.centre))
+        wall_end_point(grain, pose, piece.now.a, start_before(piece), piece.now.b, 0, rules, points);
     if (piece.at_b == Joint::free_end)
         wall_end_point(grain, pose, piece.now.b, piece.now.b, piece.now.a, 1, rules, points);
     reduce_gap_points(points, first);
@@ -427,7 +418,7 @@ void wall_points(const Disk& disk, const Pose& pose, const Pose& pose_before, co
         add(pose.centre - height * normal, normal, height - disk.radius(), 0);
         return;
     }
-    if (now.in_run(piece.run)) {
+    if (piece.bounds_past_end(pose.centre)) {
         const double height = std::abs(now.height);
         const Vec2 normal = now.height > 0.0 ? line.left : Vec2(-line.left);
         add(pose.centre - height * normal, normal, height - disk.radius(), 0);
@@ -437,7 +428,7 @@ void wall_points(const Disk& disk, const Pose& pose, const Pose& pose_before, co
     if (at_a ? piece.at_a == Joint::straight : piece.at_b != Joint::free_end) return;  // the next piece's affair
     const Vec2 end = at_a ? piece.now.a : piece.now.b;
     const Vec2 out = pose.centre - end;
-    if (at_a && out.dot(piece.before_a - end) > 0.0) return;  // the piece before is nearer
+    if (at_a && out.dot(start_before(piece) - end) > 0.0) return;  // the piece before is nearer
     const double distance = std::sqrt(out.squaredNorm());
     if (distance > 0.0) add(end, out / distance, distance - disk.radius(), at_a ? 1 : 2);
 }

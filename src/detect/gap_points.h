@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/detect/overlap.h"
-#include "src/detect/wall_run.h"
+#include "src/detect/gap_piece.h"
 #include "src/geometry/shape.h"
 
 namespace polargrain {
@@ -53,19 +52,6 @@ struct Separation {
 /// Disks meet polygons at the nearest points of their edges and corners.
 Separation find_gap_points(const Shape& i, const Pose& pose_i, const Shape& j, const Pose& pose_j,
                            const GapRules& rules, std::vector<GapPoint>& points);
-
-/// How a wall goes on at the end of a piece, on the way along the chain.
-enum class Joint : std::uint8_t { free_end, straight, left_turn, right_turn };
-
-/// A wall piece as seen by grains near it.
-struct GapPiece {
-    WallPiece now;     ///< where it is at the pose that is looked at
-    WallPiece before;  ///< where it was at the grain's last pose that did not overlap
-    Joint at_a = Joint::free_end, at_b = Joint::free_end;
-    Vec2 before_a = Vec2::Zero();  ///< the chain's point before a [m]; a itself at a free end
-    WallRun run;
-    bool one_sided = false;  ///< acts on its left side only: a moving wall, which may have run over a grain
-};
 
 /// The same for a grain (i) and a wall piece (j). Walls are thin and act on both sides; which side a vertex is on is
 /// told by where it was at `pose_before`, a pose that did not overlap.

@@ -13,6 +13,7 @@ const char* to_string(SlipMode mode) {
         case SlipMode::direct_sticking: return "direct_sticking";
         case SlipMode::direct_sliding: return "direct_sliding";
         case SlipMode::on_feet: return "on_feet";
+        case SlipMode::on_face: return "on_face";
         case SlipMode::foot: return "foot";
     }
     return "unknown";

@@ -11,6 +11,12 @@ struct Impact {
     double restitution = 0.0;  ///< speed out over speed in
 };
 
+/// Largest overlap [m] of an undamped impact at the given closing speed under k x overlap^(1 + b): all of m V^2 / 2 is
+/// in the spring.
+inline double largest_overlap(double mass, double speed, double k, double b) {
+    return std::pow((2.0 + b) * mass * speed * speed / (2.0 * k), 1.0 / (2.0 + b));
+}
+
 /// Steps x'' = -force(x, v) / mass (x the overlap, v its rate) by classical Runge-Kutta from x = 0, v = speed until the
 /// overlap is gone, or the bodies part without a force.
 template <typename Force>

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "src/core/random.h"
-#include "src/engines/dem/hard_collision.h"
+#include "tests/dem/hard_collision.h"
 
 namespace polargrain {
 namespace {

@@ -13,6 +13,7 @@ namespace {
 
 using testing::collide;
 using testing::Impact;
+using testing::largest_overlap;
 
 constexpr double k_pi_exact = std::numbers::pi;
 

@@ -73,6 +73,7 @@ std::string oracle_name(SlipMode mode) {
         case SlipMode::direct_sticking: return "direct_stick";
         case SlipMode::direct_sliding: return "direct_slide";
         case SlipMode::on_feet:
+        case SlipMode::on_face:
         case SlipMode::foot: break;  // of more than two bodies
     }
     return "";

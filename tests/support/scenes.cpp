@@ -33,8 +33,8 @@ ShapeIndex add_spec(Scene& scene, const std::string& name, const ShapeSpec& spec
 
 }  // namespace
 
-ShapeIndex add_rectangle(Scene& scene, double width, double height) {
-    return add_spec(scene, "rectangle", RectangleSpec{width, height, 4});
+ShapeIndex add_rectangle(Scene& scene, double width, double height, int vertices) {
+    return add_spec(scene, "rectangle", RectangleSpec{width, height, vertices});
 }
 
 ShapeIndex add_disk(Scene& scene, double radius) { return add_spec(scene, "disk", DiskSpec{radius}); }

@@ -17,7 +17,8 @@ void add_wall(Scene& scene, const std::string& name, std::vector<Vec2> points, W
 /// Box of the given width, open at the top: left wall, floor and right wall in one chain, the corner at the origin.
 void add_box(Scene& scene, double width, double height);
 
-ShapeIndex add_rectangle(Scene& scene, double width, double height);
+/// More than four vertices lie on its sides.
+ShapeIndex add_rectangle(Scene& scene, double width, double height, int vertices = 4);
 ShapeIndex add_disk(Scene& scene, double radius);
 ShapeIndex add_star(Scene& scene, double radius, double inner_radius, int points);
 ShapeIndex add_stick(Scene& scene, double length, double width);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/engines/contact/face_blow.h"
 #include "src/engines/contact/gap_motion.h"
 #include "src/model/contact_law.h"
 
@@ -27,7 +28,7 @@ struct BlowSolver::Answer {
     bool is_consistent() const { return i.is_consistent() && j.is_consistent() && result.friction_loss >= 0.0; }
 };
 
-Blow BlowSolver::solve(std::int32_t struck, double speed) const {
+Blow BlowSolver::solve(std::int32_t struck, double speed, double h) const {
     const GapContact& c = contact(struck);
     const double restitution = drawn_restitution(scene_, step_, c.j, c.i);
     thread_local std::vector<Stance> stances_i, stances_j;
@@ -36,6 +37,10 @@ Blow BlowSolver::solve(std::int32_t struck, double speed) const {
     if (!is_wall(c.j)) {
         find_stances(c.i, speed, stances_i);
         find_stances(c.j, speed, stances_j);
+    }
+    if (stances_i.empty() && stances_j.empty()) {
+        const auto [first, second] = face_of(struck, speed, h);
+        if (first != second) return blow_on_face(first, second, restitution);
     }
     stances_i.push_back({});
     stances_j.push_back({});
@@ -49,6 +54,42 @@ Blow BlowSolver::solve(std::int32_t struck, double speed) const {
         }
     }
     return {};
+}
+
+/// Does another contact of the pair meet in this sub-step too, along the same normal and as fast?
+bool BlowSolver::lands_with(const GapContact& struck, std::int32_t other, double speed, double h) const {
+    constexpr double k_parallel = 0.9999;
+    const GapContact& c = contact(other);
+    if (c.i != struck.i || c.j != struck.j || !c.active || c.normal.dot(struck.normal) < k_parallel) return false;
+    const double closing = -normal_speed(c, *bodies_);
+    return std::abs(closing - speed) <= k_flat * speed && lanes_->open(static_cast<std::size_t>(other)) < closing * h;
+}
+
+/// The ends of the face that lands flat with the contact: those of the contacts that meet with it which are farthest
+/// apart. Twice the contact itself where it is alone.
+std::pair<std::int32_t, std::int32_t> BlowSolver::face_of(std::int32_t struck, double speed, double h) const {
+    const GapContact& c = contact(struck);
+    std::pair<std::int32_t, std::int32_t> ends{struck, struck};
+    const auto station = [&](std::int32_t k) { return c.tangent().dot(contact(k).point); };
+    for (const std::int32_t k : by_grain_->of(c.i)) {
+        if (k == struck || !lands_with(c, k, speed, h)) continue;
+        if (station(k) < station(ends.first)) ends.first = k;
+        if (station(k) > station(ends.second)) ends.second = k;
+    }
+    return ends;
+}
+
+Blow BlowSolver::blow_on_face(std::int32_t first, std::int32_t second, double restitution) const {
+    const auto [result, of_second] = solve_face_blow(contact(first), contact(second), *bodies_, restitution);
+    Blow b;
+    b.restitution_loss = result.restitution_loss;
+    b.friction_loss = result.friction_loss;
+    for (const auto& [end, share] : {std::pair{first, 1.0 - of_second}, std::pair{second, of_second}}) {
+        if (share == 0.0) continue;
+        const SlipMode mode = share == 1.0 ? result.mode : SlipMode::on_face;
+        b.add({end, share * result.normal, share * result.tangential, restitution, mode});
+    }
+    return b;
 }
 
 void BlowSolver::find_stances(GrainIndex grain, double speed, std::vector<Stance>& stances) const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "src/engines/contact/by_grain.h"
@@ -20,7 +21,8 @@ struct BlowPush {
     SlipMode mode = SlipMode::separating;
 };
 
-/// One impact: the impulse at the contact and those at the feet of its grains, and what they take [J/m].
+/// One impact: the impulse at the contact, or at the two ends of a face, and those at the feet of its grains, and what
+/// they take [J/m].
 struct Blow {
     static constexpr std::size_t k_most_pushes = 3;
 
@@ -39,6 +41,8 @@ class BlowSolver {
 public:
     static constexpr double k_foot_gap = 2.0;    ///< feet rest at most this many resting gaps from the wall
     static constexpr double k_foot_speed = 0.1;  ///< of the closing speed: feet that move faster hold nothing
+    static constexpr double k_flat =
+        0.05;  ///< ends of a face that close so nearly as fast as one another strike at once
 
     explicit BlowSolver(const Scene& scene) : scene_(scene) {}
 
@@ -46,8 +50,9 @@ public:
     void begin(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Halfway& halfway,
                const ContactLanes& lanes, const ByGrain& by_grain, std::int64_t step);
 
-    /// The impact of a contact that closes at `speed` [m/s]. Changes nothing; may run on several threads.
-    Blow solve(std::int32_t contact, double speed) const;
+    /// The impact of a contact that closes at `speed` [m/s] in a sub-step of length h [s]. Changes nothing; may run on
+    /// several threads.
+    Blow solve(std::int32_t contact, double speed, double h) const;
 
 private:
     /// A place where a grain may stand on a wall, and how; none if it is free.
@@ -61,6 +66,9 @@ private:
 
     const GapContact& contact(std::int32_t k) const { return (*contacts_)[static_cast<std::size_t>(k)]; }
     void find_stances(GrainIndex grain, double speed, std::vector<Stance>& stances) const;
+    bool lands_with(const GapContact& struck, std::int32_t other, double speed, double h) const;
+    std::pair<std::int32_t, std::int32_t> face_of(std::int32_t struck, double speed, double h) const;
+    Blow blow_on_face(std::int32_t first, std::int32_t second, double restitution) const;
     Answer answer(const GapContact& c, double restitution, const Stance& stance_i, const Stance& stance_j) const;
     bool presses_another(const Footing& footing, const std::vector<Stance>& stances) const;
     Blow blow(std::int32_t contact, const Answer& answer, double restitution, const Stance& stance_i,

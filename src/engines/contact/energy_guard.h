@@ -4,7 +4,7 @@
 
 #include "src/core/parallel.h"
 #include "src/engines/contact/gap_contact.h"
-#include "src/engines/contact/gap_detection.h"
+#include "src/engines/contact/pose_set.h"
 
 namespace polargrain {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace polargrain {
 
@@ -17,13 +16,6 @@ bool before_pair(const PairContacts& p, const PairContacts& q) {
 }
 
 }  // namespace
-
-void PoseSet::resize(std::size_t n) {
-    // Nowhere, so that no grain is taken to stand already where it is put.
-    centre.resize(n, Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
-    angle.resize(n);
-    pose.resize(n);
-}
 
 GapDetection::GapDetection(const Scene& scene)
     : scene_(scene), parallel_(std::max(1, scene.threads)), list_(scene), walls_(scene) {

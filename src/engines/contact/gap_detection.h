@@ -8,19 +8,10 @@
 #include "src/detect/pair_list.h"
 #include "src/engines/contact/gap_contact.h"
 #include "src/engines/contact/gap_walls.h"
+#include "src/engines/contact/pose_set.h"
 #include "src/model/scene.h"
 
 namespace polargrain {
-
-/// Poses of all grains at one instant.
-struct PoseSet {
-    std::vector<Vec2> centre;
-    std::vector<double> angle;
-    std::vector<Pose> pose;
-
-    void resize(std::size_t n);
-    void refresh(std::size_t k) { pose[k] = Pose::at(centre[k], angle[k]); }
-};
 
 /// Finds the points at which bodies may meet in a configuration and, in the same pass, which of them overlap in it.
 /// Once the configuration is accepted, speculative contacts are made of the points.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/engines/contact/gap_detection.h"
 #include "src/engines/contact/gap_motion.h"
+#include "src/engines/contact/pose_set.h"
 #include "src/model/contact_law.h"
 
 namespace polargrain {
@@ -56,7 +56,7 @@ void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
     while (!strikes_.empty()) {
         ++round_;
         choose_turns(h);
-        strike_all();
+        strike_all(h);
         book();
         look_again(h);
     }
@@ -148,26 +148,26 @@ std::size_t GapImpacts::turns_a_run() const {
     return std::max<std::size_t>(1, (turns_.size() + runs - 1) / runs);
 }
 
-void GapImpacts::strike_all() {
+void GapImpacts::strike_all(double h) {
     blows_.resize(turns_.size());
     if (now_.report->record_impacts) records_.resize(Blow::k_most_pushes * turns_.size());
     const std::size_t length = turns_a_run();
     parallel_.runs(turns_.size(), length, [&](std::size_t first, std::size_t last) {
         for (std::size_t n = first; n < last; ++n) {
-            if (turns_[n].flight == 0.0) strike(n);
+            if (turns_[n].flight == 0.0) strike(n, h);
         }
     });
     // Flights change the gaps of all that is near.
     for (std::size_t n = 0; n < turns_.size(); ++n) {
-        if (turns_[n].flight > 0.0) strike_in_flight(n);
+        if (turns_[n].flight > 0.0) strike_in_flight(n, h);
     }
 }
 
-void GapImpacts::strike(std::size_t turn) {
+void GapImpacts::strike(std::size_t turn, double h) {
     const Strike& s = turns_[turn].strike;
     std::vector<SolverBody>& bodies = *now_.bodies;
     Blow& blow = blows_[turn];
-    blow = blow_solver_.solve(s.contact, s.speed);
+    blow = blow_solver_.solve(s.contact, s.speed, h);
     for (std::size_t n = 0; n < blow.count; ++n) {
         const BlowPush& p = blow.pushes[n];
         GapContact& c = (*now_.contacts)[at(p.contact)];
@@ -193,14 +193,14 @@ void GapImpacts::strike(std::size_t turn) {
 /// free flight - the velocity goes back by the part of the kick that has been spent, and the pose gets what the
 /// velocity before moved it more than the one after. (Among grains alone in a dense gas this is not worth it: others
 /// come in between within the sub-step.)
-void GapImpacts::strike_in_flight(std::size_t turn) {
+void GapImpacts::strike_in_flight(std::size_t turn, double h) {
     const GapContact& c = (*now_.contacts)[at(turns_[turn].strike.contact)];
     const double flight = turns_[turn].flight;
     const Vec2 kick = flight * scene_.gravity;
     SolverBody& body = (*now_.bodies)[at(c.i)];
     body.velocity += kick;
     const Motion before = motion_of(body);
-    strike(turn);
+    strike(turn, h);
     const Vec2 way = flight * (before.velocity - body.velocity);
     const double turned = flight * (before.spin - body.spin);
     now_.trial->centre[at(c.i)] += way;
@@ -226,8 +226,8 @@ ImpactRecord GapImpacts::record(const BlowPush& p) const {
     r.j = c.j;
     r.point = c.point;
     r.normal = c.normal;
-    r.centre_i = now_.halfway->centre(c.i);
-    r.centre_j = wall ? c.point : now_.halfway->centre(c.j);
+    r.centre_i = c.point - now_.halfway->arm(c, c.i);
+    r.centre_j = wall ? c.point : Vec2(c.point - now_.halfway->arm(c, c.j));
     r.restitution = p.restitution;
     r.friction = c.friction;
     r.mode = p.mode;

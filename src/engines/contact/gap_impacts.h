@@ -84,9 +84,9 @@ private:
         return !is_wall(body) && grains_[static_cast<std::size_t>(body)].struck == round_;
     }
     std::size_t turns_a_run() const;
-    void strike_all();
-    void strike_in_flight(std::size_t turn);
-    void strike(std::size_t turn);
+    void strike_all(double h);
+    void strike_in_flight(std::size_t turn, double h);
+    void strike(std::size_t turn, double h);
     double time_to_wall(const Strike& strike, double h) const;
     ImpactRecord record(const BlowPush& push) const;
     void book();

@@ -30,9 +30,8 @@ GapWalls::GapWalls(const Scene& scene) : scene_(scene) {
 void GapWalls::find_joints(const Wall& wall) {
     const std::vector<Vec2>& p = wall.points;
     const std::size_t last = p.size() - 1;
-    std::vector<Ends> ends(last, {Joint::free_end, Joint::free_end, {}});
+    std::vector<Ends> ends(last, {Joint::free_end, Joint::free_end});
     for (std::size_t k = 0; k < last; ++k) {
-        ends[k].run = run_of_piece(p, wall.closed(), k);
         if (k > 0 || wall.closed()) ends[k].at_a = joint_between(k > 0 ? p[k - 1] : p[last - 1], p[k], p[k + 1]);
         if (k + 1 < last || wall.closed()) ends[k].at_b = joint_between(p[k], p[k + 1], k + 1 < last ? p[k + 2] : p[1]);
     }
@@ -58,7 +57,22 @@ void GapWalls::place(double time_before, double time_now) {
     for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
         if (present_[w]) place(static_cast<int>(w), time_before, time_now);
     }
+    link();
     search_.place(placed_);
+}
+
+/// Tells every piece its neighbours along the chain.
+void GapWalls::link() {
+    for (std::size_t first = 0; first < pieces_.size();) {
+        const Wall& wall = scene_.walls[static_cast<std::size_t>(placed_[first].wall)];
+        const auto count = static_cast<std::size_t>(wall.segments());
+        for (std::size_t k = 0; k < count; ++k) {
+            GapPiece& piece = pieces_[first + k];
+            if (k > 0 || wall.closed()) piece.previous = &pieces_[first + (k > 0 ? k : count) - 1];
+            if (k + 1 < count || wall.closed()) piece.next = &pieces_[first + (k + 1 < count ? k + 1 : 0)];
+        }
+        first += count;
+    }
 }
 
 void GapWalls::place(int number, double time_before, double time_now) {
@@ -76,10 +90,6 @@ void GapWalls::place(int number, double time_before, double time_now) {
         piece.before = {before.point(wall.points[k]), before.point(wall.points[k + 1])};
         piece.at_a = joints_[w][k].at_a;
         piece.at_b = joints_[w][k].at_b;
-        piece.run = joints_[w][k].run;
-        // Where the chain comes from; the last piece of a closed one leads to its first.
-        const bool goes_on = k > 0 || wall.closed();
-        piece.before_a = goes_on ? placed_[first + (k > 0 ? k : count) - 1].piece.a : piece.now.a;
         pieces_.push_back(piece);
     }
 }

@@ -31,12 +31,12 @@ public:
 private:
     struct Ends {
         Joint at_a, at_b;
-        WallRun run;
     };
 
     void find_joints(const Wall& wall);
     bool same_presence(double time);
     void place(int number, double time_before, double time_now);
+    void link();
 
     const Scene& scene_;
     bool any_moves_ = false;

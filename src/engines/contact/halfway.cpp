@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/engines/contact/gap_detection.h"
-
 namespace polargrain {
 
 void Halfway::find(const PoseSet& start, const std::vector<SolverBody>& bodies, double dt) {

@@ -3,11 +3,10 @@
 #include <vector>
 
 #include "src/engines/contact/gap_contact.h"
+#include "src/engines/contact/pose_set.h"
 #include "src/model/scene.h"
 
 namespace polargrain {
-
-struct PoseSet;
 
 /// Where grains and their contacts will be in the middle of a step, by the velocities at its beginning.
 ///

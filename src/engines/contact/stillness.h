@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "src/engines/contact/gap_contact.h"
-#include "src/engines/contact/gap_detection.h"
 #include "src/model/scene.h"
 #include "src/model/step_report.h"
 

@@ -32,10 +32,6 @@ Elastic power_spring(double overlap, double k, double b) {
     return {force, force * overlap / (2.0 + b)};
 }
 
-double largest_overlap(double mass, double speed, double k, double b) {
-    return power((2.0 + b) * mass * speed * speed / (2.0 * k), 1.0 / (2.0 + b));
-}
-
 double damping_ratio_with_tension(double e) {
     const double alpha = -natural_log(e) / k_pi;
     return alpha / std::sqrt(1.0 + alpha * alpha);

@@ -19,10 +19,6 @@ Elastic hertz_spring(double overlap, double k);
 /// k x overlap^(1 + b), b > -1 [L94]; k [N/m^(2 + b)].
 Elastic power_spring(double overlap, double k, double b);
 
-/// Largest overlap [m] of an undamped impact at the given closing speed under k x overlap^(1 + b): all of m V^2 / 2 is
-/// in the spring.
-double largest_overlap(double mass, double speed, double k, double b);
-
 /// Ratio of critical damping gamma that a linear spring and dashpot needs for the restitution e in (0, 1], where
 /// the dashpot may pull: the contact ends at overlap zero. e = exp(-pi gamma / sqrt(1 - gamma^2)) [K02, eq. 14].
 double damping_ratio_with_tension(double e);

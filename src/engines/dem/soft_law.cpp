@@ -93,7 +93,7 @@ SoftLaws::SoftLaws(const Scene& scene, const DemSettings& settings)
             laws_.push_back(resolve(scene, settings, a, b));
             require(
                 !polygons || laws_.back().law.normal == NormalLaw::linear,
-                "dem.law: the laws hertz, power and walton_braun are for disks, and this scene has polygons (between "
+                "dem.law: the laws hertz, power and walton-braun are for disks, and this scene has polygons (between "
                 "{} and {}): take law = \"linear\", or shapes of type disk",
                 scene.materials[a].name, scene.materials[b].name);
         }

@@ -34,8 +34,8 @@ struct IncrementalMemory {
     double normal = 0.0;   ///< N of the last evaluation
 };
 
-/// T after a further sliding `way` [m] under the normal force N [N/m], with initial stiffness k0 [N/m^2] [R-lect;
-/// Walton & Braun 1986].
+/// T after a further sliding `way` [m] under the normal force N [N/m], with initial stiffness k0 [N/m^2]
+/// [WB86].
 ///
 /// dT = K ds, K = k0 [1 - (T - T*) / (mu N - T*)]^(1/3) where T rises, k0 [1 - (T* - T) / (mu N + T*)]^(1/3) where it
 /// falls; T* is zero at first, T at each turn of the sliding, and scales with N. The way is integrated in closed form,

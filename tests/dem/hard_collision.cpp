@@ -1,4 +1,4 @@
-#include "src/engines/dem/hard_collision.h"
+#include "tests/dem/hard_collision.h"
 
 #include <algorithm>
 #include <cmath>
