@@ -92,6 +92,17 @@ TEST(Box2dRun, RefusesAStepAtWhichSpeedsWouldBeCutOffAndLeavesNothing) {
     EXPECT_FALSE(fs::exists(scratch / "out"));
 }
 
+TEST(DemRun, TellsThatImpactsAreNotDescribed) {
+    const ScratchFolder scratch;
+    scratch.write("disks.toml", k_three_disks);
+    const Outcome outcome = run_polargrain(
+        {"run", "disks.toml", "--engine", "dem", "-o", "out", "--set", "output.impacts=true"}, scratch.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("impacts.csv would stay empty"));
+    const auto summary = nlohmann::json::parse(read_file(scratch / "out/summary.json"));
+    EXPECT_THAT(summary["notes"].back().get<std::string>(), HasSubstr("impacts.csv would stay empty"));
+}
+
 TEST(Box2dRun, TellsWhatIsLeftOutInItsLogAndInTheSummary) {
     const ScratchFolder scratch;
     scratch.write("disks.toml", k_three_disks);
