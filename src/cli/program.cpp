@@ -142,7 +142,7 @@ void add_compare(CLI::App& app, CompareRequest& request, Action& action) {
         ->type_name("KEY.PATH=VALUE")
         ->allow_extra_args(false);
     command->add_flag("--no-frames", request.overrides.no_frames, "draw no pictures and make no movie");
-    command->add_flag("--force", request.force, "replace what is in the folder");
+    command->add_flag("--force", request.force, "replace the comparison that is in the folder");
     command->add_flag("--quiet", request.quiet, "print nothing but errors");
     command->footer(
         "Examples:\n"

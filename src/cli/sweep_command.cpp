@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,11 +30,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds k_between_looks{20};
-
-std::string content_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// One run of the sweep and its folder.
 struct Job {
@@ -202,11 +195,19 @@ std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
 /// InputError where the folder holds something else than this sweep, or runs of another scenario. Changes nothing.
 void check_folder(const SweepRequest& request, const fs::path& folder, const SweepPlan& plan,
                   const std::vector<Job>& jobs) {
+    check_place(folder);
     if (!fs::exists(folder)) return;
-    require(fs::is_directory(folder), "{}: is a file; give another folder with -o", folder.string());
+    const fs::path copy = folder / "sweep.toml", table = folder / "table.csv";
+    const bool the_same = fs::exists(copy) && content_of(copy) == plan.text;
+    if (!fs::exists(folder / "runs")) {
+        for (const fs::path& file : {copy, table}) {
+            require(!fs::exists(file) || (file == copy && the_same),
+                    "{}: there is no sweep in the folder, but {}, which one would replace; give another folder with -o",
+                    folder.string(), file.filename().string());
+        }
+    }
     if (request.force) return;
-    const fs::path copy = folder / "sweep.toml";
-    require(fs::is_empty(folder) || (fs::exists(copy) && content_of(copy) == plan.text),
+    require(fs::is_empty(folder) || the_same,
             "{}: holds something else than this sweep; give another folder with -o, or --force to replace the sweep in "
             "it",
             folder.string());

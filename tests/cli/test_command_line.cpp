@@ -119,8 +119,8 @@ TEST(CommandLine, ListsWhatIsThere) {
 TEST(CommandLine, AFolderThatTheSystemRefusesIsNamedWithItsReason) {
     const std::string name(300, 'a');
     const Outcome outcome = run({"run", "fig9", "-o", name});
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("error: " + name + ": File name too long;"));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("error: " + name + ": a name of more than 255 bytes;"));
 }
 
 TEST(CommandLine, AnOutlineThatIsNoGrainIsNamedByItsFile) {

@@ -132,8 +132,11 @@ TEST_F(Sweep, ThatReplacesAnotherGoesOnWithoutForceAfterCtrlC) {
     RunningProgram program({"sweep", "slow.toml", "-o", "swept", "--force"}, scratch_.path());
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     const fs::path first = scratch_ / "swept" / "runs" / "0000";
-    while ((!fs::exists(first / "checkpoint.h5") || fs::exists(first / "summary.json")) &&
-           std::chrono::steady_clock::now() < give_up) {
+    const auto begun = [&] {  // anew: the scenario of the old one goes first, and its checkpoint last
+        return fs::exists(first / "scenario.toml") && !fs::exists(first / "summary.json") &&
+               fs::exists(first / "checkpoint.h5");
+    };
+    while (!begun() && std::chrono::steady_clock::now() < give_up) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     program.send_to_all(SIGINT);
