@@ -17,6 +17,7 @@
 #include "src/compare/comparison.h"
 #include "src/compare/jitter.h"
 #include "src/core/error.h"
+#include "src/core/nearest_name.h"
 #include "src/plot/plot.h"
 #include "src/record/text_file.h"
 #include "src/run/settle.h"
@@ -39,11 +40,21 @@ constexpr std::array k_comparison_files{"report.md",       "values.csv",      "s
 /// Raised between two steps when a signal has come.
 struct Stopped {};
 
+void require_known(const std::string& engine) {
+    std::vector<std::string> names;
+    for (const EngineEntry& entry : engine_table()) names.push_back(entry.name);
+    if (std::ranges::find(names, engine) != names.end()) return;
+    const std::string nearest = nearest_name(engine, names);
+    throw InputError(fmt::format("--engines: there is no engine \"{}\"; {}choose among {}", engine,
+                                 nearest.empty() ? "" : "did you mean \"" + nearest + "\"? ", fmt::join(names, ", ")));
+}
+
 class CompareSession {
 public:
     explicit CompareSession(const CompareRequest& request)
         : request_(request), mode_(display_mode(request.quiet)), engines_(request.engines) {
         if (engines_.empty()) engines_ = {"contact", "contact-1994", "box2d"};
+        for (const std::string& engine : engines_) require_known(engine);
         require(std::set(engines_.begin(), engines_.end()).size() == engines_.size(),
                 "--engines: an engine is named twice; name each once");
         require(engines_.size() >= 2, "--engines: names one engine only; a comparison needs two at least");

@@ -170,7 +170,7 @@ BrokenFile changed(const char* name, const char* piece, const char* by, const ch
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Broken,
-    testing::Values(BrokenFile{"empty", "", "run.time_step"},
+    testing::Values(BrokenFile{"empty", "", "no grains"},
                     BrokenFile{"settle_without_gravity",
                                replaced(k_three_disks, "[materials", "gravity = 0.0\n[settle]\n[materials"), "gravity"},
                     BrokenFile{"no_toml", "title = = 3\n", ":1:"},

@@ -86,7 +86,8 @@ TEST(Compare, RefusesWhatCannotBeCompared) {
     } mistakes[] = {
         {{"--engines", "contact"}, "two at least"},
         {{"--engines", "contact,contact"}, "named twice"},
-        {{"--engines", "contact,box3d"}, "did you mean \"box2d\""},
+        {{"--engines", "contact,box3d"}, "--engines: there is no engine \"box3d\"; did you mean \"box2d\""},
+        {{"--engines", "foo"}, "--engines: there is no engine \"foo\""},
         {{"--seeds", "0"}, "seeds"},
     };
     const ScratchFolder scratch;
