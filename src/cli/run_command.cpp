@@ -26,7 +26,11 @@ int run_command(const RunRequest& request) {
     std::error_code absent;
     const bool in_place = fs::equivalent(folder / "scenario.toml", run.file, absent);
     clear_run_folder(folder);
-    const RunSession session{folder, request.program, request.quiet, request.brief, request.repeat_line};
+    const RunSession session{.folder = folder,
+                             .program = request.program,
+                             .quiet = request.quiet,
+                             .brief = request.brief,
+                             .repeat_line = request.repeat_line};
     try {
         return run_session(session, lock, run);
     } catch (const InputError& error) {

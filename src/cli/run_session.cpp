@@ -126,6 +126,7 @@ int Session::carry_out() {
     const std::vector<std::unique_ptr<Sink>> sinks = make_sinks();
     // Whatever could refuse to be carried on does so before anything in the folder is changed.
     if (running) check_sinks(sinks, scenario.scene, saved_->content.part(k_running));
+    if (!session_.quiet && !session_.opening_line.empty()) fmt::print("{}\n", session_.opening_line);
     begin_folder();
     if (running) {
         load_motion(saved_->content.part(k_start), scenario.scene.grains);
@@ -168,11 +169,14 @@ bool Session::let_settle() {
     Scenario& scenario = run_.scenario;
     std::optional<Checkpoint> before;
     if (saved_ != nullptr) before = saved_->content.part(k_settling);
-    ProgressDisplay display("settling", mode_);
-    Settled settled = settle(
-        scenario.scene, *scenario.settle, run_.time_step.dt,
-        [this](const Scene& scene) { return run_.make_engine(scene); }, control(display, k_settling),
-        before ? &*before : nullptr);
+    const auto shown = [&] {  // what follows is printed when its progress has been erased
+        ProgressDisplay display("settling", mode_);
+        return settle(
+            scenario.scene, *scenario.settle, run_.time_step.dt,
+            [this](const Scene& scene) { return run_.make_engine(scene); }, control(display, k_settling),
+            before ? &*before : nullptr);
+    };
+    Settled settled = shown();
     if (settled.stopped) return false;
     scenario.scene.grains = std::move(settled.grains);
     settled_ = std::move(settled.engine);

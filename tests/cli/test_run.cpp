@@ -238,7 +238,20 @@ TEST_P(Interrupt, EndsTheRunCleanlyWithWhatWasComputedSoFar) {
     EXPECT_EQ(std::stod(last_row), summary.at("simulated_seconds").get<double>()) << "the last state was written";
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values(SIGINT, SIGTERM));
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+TEST_F(Run, GoesOnWithoutItsTerminalWhereThatIsAskedFor) {
+    scratch_.write("long.toml", replaced(k_three_disks, "duration = 0.05", "duration = 1e6"));
+    const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    RunningProgram program({"run", "long.toml", "-o", "long"}, scratch_.path());
+    ASSERT_TRUE(wait_for(scratch_ / "long" / "checkpoint.h5"));
+    std::signal(SIGHUP, before);
+    program.send(SIGHUP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_FALSE(fs::exists(scratch_ / "long" / "summary.json"));
+    program.send(SIGINT);
+    EXPECT_EQ(program.wait().exit_code, 130);
+}
 
 class ShippedScenario : public Run, public testing::WithParamInterface<fs::path> {};
 
