@@ -160,6 +160,12 @@ bool run_all(Schedule& schedule, std::int64_t count, bool quiet) {
     return true;
 }
 
+/// Empty where the grains had not been asked to come to rest.
+const char* settled_text(const StoredSummary& summary) {
+    if (!summary.at_rest) return "";
+    return *summary.at_rest ? "yes" : "no";
+}
+
 /// A row for each run; a column for each parameter and each observable that any run has; empty where one has no value.
 std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
     std::vector<std::optional<StoredSummary>> summaries;
@@ -171,15 +177,15 @@ std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
     }
     std::string table = "run";
     for (const SweepPlan::Parameter& parameter : plan.parameters) table += "," + csv_field(parameter.key);
-    table += ",engine,seed,status,steps,simulated_seconds,state_hash";
+    table += ",engine,seed,status,steps,simulated_seconds,state_hash,settled";
     for (const std::string& name : observables) table += "," + csv_field(name);
     table += "\n";
     for (std::size_t k = 0; k < jobs.size(); ++k) {
         table += jobs[k].name;
         for (const std::string& value : jobs[k].run.values) table += "," + csv_field(value);
         if (const std::optional<StoredSummary>& summary = summaries[k]) {
-            table += fmt::format(",{},{},done,{},{},{}", summary->engine, summary->seed, summary->steps,
-                                 summary->simulated_seconds, summary->state_hash);
+            table += fmt::format(",{},{},done,{},{},{},{}", summary->engine, summary->seed, summary->steps,
+                                 summary->simulated_seconds, summary->state_hash, settled_text(*summary));
             for (const std::string& name : observables) {
                 const auto value = summary->observables.find(name);
                 table += value != summary->observables.end() ? fmt::format(",{}", value->second) : ",";
@@ -238,6 +244,14 @@ int report(const std::vector<Job>& jobs, const fs::path& table, bool quiet) {
         if (!job.failed) continue;
         ++failed;
         tell("run {} failed; what it said is in {}\n", job.name, job.log().string());
+    }
+    const auto restless = std::ranges::count_if(jobs, [](const Job& job) {
+        const std::optional<StoredSummary> summary = job.done ? job.summary() : std::nullopt;
+        return summary && !summary->at_rest.value_or(true);
+    });
+    if (restless > 0) {
+        tell("note: the grains of {} of {} runs were not yet at rest at time zero: settled = no in the table\n",
+             restless, jobs.size());
     }
     if (!quiet) fmt::print("{} runs, {} failed: {}\n", jobs.size(), failed, table.string());
     return failed == 0 ? k_exit_done : k_exit_failed;
