@@ -60,12 +60,32 @@ struct Job {
     }
 };
 
+/// What sets a run apart from the others: "materials.stone.friction=0.4, run.seed=3".
+std::string combination(const SweepPlan& plan, const SweepRun& run) {
+    std::string text;
+    for (std::size_t k = plan.set.size(); k < run.overrides.laid.size(); ++k) {
+        text += (text.empty() ? "" : ", ") + run.overrides.laid[k].text;
+    }
+    return text;
+}
+
+PreparedRun prepare_job(const SweepPlan& plan, const SweepRun& run) {
+    try {
+        return prepare_run(plan.scenario.string(), run.overrides);
+    } catch (const InputError& error) {
+        const std::string values = combination(plan, run);
+        if (values.empty()) throw;
+        throw InputError(fmt::format("{}\nso it is in the run with {}; change or leave out one of these values",
+                                     error.what(), values));
+    }
+}
+
 std::vector<Job> jobs_of(const SweepPlan& plan, const fs::path& folder) {
     std::vector<Job> jobs;
     for (SweepRun& run : sweep_runs(plan)) {
         Job job;
         // Read here for all of them, so that a mistake in the last one shows before the first one runs.
-        job.scenario = prepare_run(plan.scenario.string(), run.overrides).scenario.resolved_toml;
+        job.scenario = prepare_job(plan, run).scenario.resolved_toml;
         job.name = fmt::format("{:04}", jobs.size());
         job.folder = folder / "runs" / job.name;
         job.run = std::move(run);
@@ -191,7 +211,7 @@ std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
                 table += value != summary->observables.end() ? fmt::format(",{}", value->second) : ",";
             }
         } else {
-            table += ",,,failed,,," + std::string(observables.size(), ',');
+            table += ",,,failed,,,," + std::string(observables.size(), ',');
         }
         table += "\n";
     }
