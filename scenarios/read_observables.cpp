@@ -6,6 +6,7 @@
 #include "scenarios/toml_text.h"
 #include "src/observe/observer.h"
 #include "src/observe/reduction.h"
+#include "src/observe/series_columns.h"
 
 namespace polargrain {
 
@@ -142,11 +143,19 @@ std::vector<ObservableSpec> read_observe(Reading& reading, TableReader& output) 
                     fmt::format("is {}, must be a list; write for example [\"area_fraction\"]", kind_of(*node)));
     }
     std::vector<ObservableSpec> specs;
+    const std::vector<std::string> columns = series_columns(reading.scenario.scene);
+    const std::set<std::string> fixed(columns.begin(), columns.end());
     std::set<std::string> labels;
     std::string resolved;
     for (std::size_t k = 0; node != nullptr && k < node->as_array()->size(); ++k) {
         const std::string path = fmt::format("{}[{}]", output.path("observe"), k);
         ObservableSpec spec = read_observed(reading, output, *node->as_array()->get(k), path, resolved);
+        if (fixed.contains(spec.label)) {
+            throw InputError(output.where("observe"),
+                             fmt::format("{}: series.csv has a column \"{}\" already; leave this one out, or give it a "
+                                         "label of its own",
+                                         path, spec.label));
+        }
         if (!labels.insert(spec.label).second) {
             output.fail("observe",
                         fmt::format("there are two columns \"{}\"; give each a label of its own", spec.label));

@@ -1,5 +1,8 @@
 #include "scenarios/reader.h"
 
+#include <fstream>
+#include <string_view>
+
 #include "scenarios/document.h"
 #include "scenarios/grain_groups.h"
 #include "scenarios/keys.h"
@@ -10,7 +13,7 @@ namespace polargrain {
 
 namespace {
 
-constexpr const char* k_resolved_head = "# As run by polargrain: every default and override is written out.\n\n";
+constexpr std::string_view k_resolved_head = "# As run by polargrain: every default and override is written out.\n\n";
 
 void read_title(Reading& reading, const std::filesystem::path& path) {
     const std::string name = path.stem().string();
@@ -30,7 +33,7 @@ Scenario load_scenario(const std::filesystem::path& path, const ScenarioOverride
     const Document document(path, overrides);
     TableReader top(document, key_table(""));
     Scenario scenario;
-    std::string resolved = k_resolved_head;
+    std::string resolved(k_resolved_head);
     Reading reading{document, top, scenario, resolved};
     read_title(reading, path);
     read_run(reading);
@@ -47,6 +50,13 @@ Scenario load_scenario(const std::filesystem::path& path, const ScenarioOverride
     top.finish();
     scenario.resolved_toml = std::move(resolved);
     return scenario;
+}
+
+bool is_resolved_scenario(const std::filesystem::path& path) {
+    std::string head(k_resolved_head.size(), '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    return file.good() && head == k_resolved_head;
 }
 
 std::vector<std::string> known_scenario_keys() {

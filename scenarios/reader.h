@@ -38,6 +38,9 @@ struct ScenarioOverrides {
 /// remedy at the first thing that is wrong; has no side effects.
 Scenario load_scenario(const std::filesystem::path& path, const ScenarioOverrides& overrides = {});
 
+/// Whether the file is a resolved scenario as a run leaves it behind, and not one that somebody wrote.
+bool is_resolved_scenario(const std::filesystem::path& path);
+
 /// Every key that a scenario file takes, as "table.key"; where the keys of a table depend on its type, as
 /// "shapes.rectangle.width". For completion and for the test of docs/scenario.md.
 std::vector<std::string> known_scenario_keys();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "scenarios/toml_text.h"
 #include "src/core/error.h"
@@ -112,6 +113,27 @@ fs::path scenario_of(const SweepFile& file) {
     }
 }
 
+/// A list of values that have runs of their own: a second one of the same would have the same runs.
+class DistinctValues {
+public:
+    DistinctValues(const SweepFile& file, const char* key) : file_(file), key_(key) {}
+
+    void add(const toml::node& node, SweepPlan::Value value) {
+        if (!seen_.insert(value.text).second) {
+            file_.fail(node.source(),
+                       fmt::format("{}: {} stands there twice; leave one of them out", key_, value.text));
+        }
+        values_.push_back(std::move(value));
+    }
+    std::vector<SweepPlan::Value> take() { return std::move(values_); }
+
+private:
+    const SweepFile& file_;
+    const char* key_;
+    std::set<std::string> seen_;
+    std::vector<SweepPlan::Value> values_;
+};
+
 std::vector<SweepPlan::Value> seeds_of(const SweepFile& file) {
     const toml::node* node = file.root().get("seeds");
     std::vector<SweepPlan::Value> seeds;
@@ -124,9 +146,11 @@ std::vector<SweepPlan::Value> seeds_of(const SweepFile& file) {
         return *seed;
     };
     if (const toml::array* values = node->as_array()) {
+        DistinctValues distinct(file, "seeds");
         for (const toml::node& value : *values) {
-            seeds.push_back({std::to_string(number(value)), file.place(value.source())});
+            distinct.add(value, {std::to_string(number(value)), file.place(value.source())});
         }
+        seeds = distinct.take();
     } else {
         const std::int64_t count = number(*node);
         if (count > k_most_runs) {
@@ -144,14 +168,14 @@ std::vector<SweepPlan::Value> seeds_of(const SweepFile& file) {
 }
 
 std::vector<SweepPlan::Value> engines_of(const SweepFile& file) {
-    std::vector<SweepPlan::Value> engines;
     const toml::node* node = file.root().get("engines");
-    if (node == nullptr) return engines;
+    if (node == nullptr) return {};
+    DistinctValues engines(file, "engines");
     for (const toml::node& value : *filled_array(file, "engines", *node)) {
         if (!value.is_string()) file.fail(value.source(), R"(engines: must be names, as in ["contact", "dem"])");
-        engines.push_back(file.value(value));
+        engines.add(value, file.value(value));
     }
-    return engines;
+    return engines.take();
 }
 
 /// Calls take(key path, value) for each value of a table and of the tables in it: run.duration = 1 is the same as
@@ -198,13 +222,18 @@ SweepPlan load_sweep(const fs::path& path) {
     plan.engines = engines_of(file);
     plan.seeds = seeds_of(file);
     plan.frames = flag_of(file, "frames", false);
+    std::set<std::string> set_keys;
     if (const toml::table* set = table_of(file, "set")) {
         for_each_setting(file, *set, "", [&](const std::string& key, const toml::node& value) {
+            set_keys.insert(key);
             plan.set.push_back({key + "=" + toml_text(value), file.place(value.source())});
         });
     }
     if (const toml::table* vary = table_of(file, "vary")) {
         for_each_setting(file, *vary, "", [&](const std::string& key, const toml::node& values) {
+            if (set_keys.contains(key)) {
+                file.fail(values.source(), fmt::format("{}: stands in [set] too; leave it out of one of them", key));
+            }
             SweepPlan::Parameter parameter{key, {}};
             for (const toml::node& value : *filled_array(file, key, values)) {
                 parameter.values.push_back(file.value(value));

@@ -34,6 +34,7 @@ int run_command(const RunRequest& request);
 struct ResumeRequest {
     std::filesystem::path folder;  ///< of a run
     std::optional<double> until;   ///< [s] new duration of the run; none: the one it has
+    std::optional<int> threads;    ///< to go on with; none: run.threads
     std::string program = "polargrain";
     bool quiet = false;
 };

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 
@@ -16,6 +17,7 @@
 #include "src/compare/comparison.h"
 #include "src/compare/jitter.h"
 #include "src/core/error.h"
+#include "src/core/nearest_name.h"
 #include "src/plot/plot.h"
 #include "src/record/text_file.h"
 #include "src/run/settle.h"
@@ -30,15 +32,29 @@ namespace {
 constexpr double k_readings = 200.0;
 constexpr int k_most_frames = 400;
 constexpr double k_movie_rate = 25.0;  // frames per second
+constexpr const char* k_frames = "frames";
+/// What a comparison leaves in its folder.
+constexpr std::array k_comparison_files{"report.md",       "values.csv",      "series.csv", "observables.csv",
+                                        "observables.png", "observables.pdf", "movie.mp4",  k_frames};
 
 /// Raised between two steps when a signal has come.
 struct Stopped {};
+
+void require_known(const std::string& engine) {
+    std::vector<std::string> names;
+    for (const EngineEntry& entry : engine_table()) names.push_back(entry.name);
+    if (std::ranges::find(names, engine) != names.end()) return;
+    const std::string nearest = nearest_name(engine, names);
+    throw InputError(fmt::format("--engines: there is no engine \"{}\"; {}choose among {}", engine,
+                                 nearest.empty() ? "" : "did you mean \"" + nearest + "\"? ", fmt::join(names, ", ")));
+}
 
 class CompareSession {
 public:
     explicit CompareSession(const CompareRequest& request)
         : request_(request), mode_(display_mode(request.quiet)), engines_(request.engines) {
         if (engines_.empty()) engines_ = {"contact", "contact-1994", "box2d"};
+        for (const std::string& engine : engines_) require_known(engine);
         require(std::set(engines_.begin(), engines_.end()).size() == engines_.size(),
                 "--engines: an engine is named twice; name each once");
         require(engines_.size() >= 2, "--engines: names one engine only; a comparison needs two at least");
@@ -173,7 +189,7 @@ void CompareSession::draw(const Comparison& comparison, const fs::path& folder) 
                                                 static_cast<int>(engines_.size()));
     std::size_t count = comparison.tracks[0][0].moments.size();
     for (const auto& tracks : comparison.tracks) count = std::min(count, tracks[0].moments.size());
-    make_folder(folder / "frames");
+    make_folder(folder / k_frames);
     std::unique_ptr<Movie> movie;
     if (can_make_movies()) {
         movie = std::make_unique<Movie>(folder / "movie.mp4", style, k_movie_rate);
@@ -187,16 +203,44 @@ void CompareSession::draw(const Comparison& comparison, const fs::path& folder) 
             pictures.push_back({engines_[e], picture_of(first_scene_, moment.world, moment.report)});
         }
         draw_side_by_side(pictures, style,
-                          folder / "frames" / fmt::format("{:06}.{}", k, scenario.output.frames.format));
+                          folder / k_frames / fmt::format("{:06}.{}", k, scenario.output.frames.format));
         if (movie) movie->add(pictures);
     }
     if (movie) movie->finish();
 }
 
+/// Whether an earlier comparison has left its files in the folder.
+bool holds_comparison(const fs::path& folder) {
+    return fs::exists(folder / "report.md") && fs::exists(folder / "values.csv");
+}
+
+void check_comparison_folder(const fs::path& folder, bool force) {
+    check_place(folder);
+    if (!fs::exists(folder) || fs::is_empty(folder)) return;
+    require(force, "{}: the folder is not empty; give another with -o, or --force to replace the comparison in it",
+            folder.string());
+    if (holds_comparison(folder)) return;
+    for (const char* name : k_comparison_files) {
+        require(!fs::exists(folder / name),
+                "{}: there is no comparison in the folder, but {}, which one would replace; give another with -o",
+                folder.string(), name);
+    }
+}
+
+void clear_comparison(const fs::path& folder) {
+    if (!holds_comparison(folder)) return;
+    if (fs::is_directory(folder / k_frames)) remove_frames(folder / k_frames);
+    for (const char* name : k_comparison_files) {
+        if (!fs::is_directory(folder / name)) fs::remove(folder / name);
+    }
+    remove_if_empty(folder / k_frames);
+}
+
 /// The folder of a comparison, kept from before the first run; where nothing comes of it, an empty one goes again.
 class ClaimedFolder {
 public:
-    ClaimedFolder(const fs::path& folder, bool force) : folder_(folder), lock_(claim_run_folder(folder, force)) {}
+    ClaimedFolder(const fs::path& folder, bool force)
+        : folder_(folder), lock_(claim_folder(folder, [&] { check_comparison_folder(folder, force); })) {}
     ~ClaimedFolder() { remove_if_empty(folder_); }
     ClaimedFolder(const ClaimedFolder&) = delete;
     ClaimedFolder& operator=(const ClaimedFolder&) = delete;
@@ -216,7 +260,7 @@ int compare_command(const CompareRequest& request) {
     watch_interrupts();
     try {
         const Comparison comparison = session.run();
-        clear_run_folder(folder);
+        clear_comparison(folder);
         const std::string report = report_text(comparison);
         TextFile file(folder / "report.md");
         file.write(report);

@@ -4,10 +4,18 @@
 
 namespace polargrain {
 
+namespace {
+
+constexpr const char* k_no_grains = "the scenario has no grains, so that there is nothing to see";
+
+}  // namespace
+
 PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& overrides) {
     std::filesystem::path file = find_scenario(scenario);
     Scenario loaded = load_scenario(file, overrides);
+    const bool empty = loaded.scene.grains.empty();
     try {
+        require(!empty || loaded.run.time_step, "{}; add some with [[grains]], [[rows]] or [[fill]]", k_no_grains);
         const EngineEntry& engine = find_engine(loaded.run.engine);
         const std::unique_ptr<Engine> asked = engine.make(loaded.scene, loaded.engines);
         TimeStep time_step = choose_time_step(loaded.run, *asked);
@@ -16,6 +24,7 @@ PreparedRun prepare_run(const std::string& scenario, const ScenarioOverrides& ov
         asked->check_dt(time_step.dt);
         step_count(loaded.run.duration, time_step.dt);
         std::vector<std::string> notes = asked->notes();  // while the scene is still where the engine knows it
+        if (empty) notes.emplace_back(k_no_grains);
         return {std::move(file), std::move(loaded), engine, std::move(time_step), std::move(notes)};
     } catch (const InputError& error) {
         throw InputError(SourceLocation{.file = file.string(), .line = 0, .column = 0}, error.what());

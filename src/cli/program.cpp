@@ -79,11 +79,15 @@ void add_resume(CLI::App& app, ResumeRequest& request, Action& action) {
     command->add_option("--until", request.until, "simulated time to run to [s], in place of run.duration")
         ->type_name("T")
         ->check(number_above_zero("time to run to"), "", "");
+    command->add_option("--threads", request.threads, "threads to go on with, in place of run.threads; changes no bit")
+        ->type_name("N")
+        ->check(whole_number("number of threads", 1, k_most_threads), "", "");
     command->add_flag("--quiet", request.quiet, "print nothing but errors");
     command->footer(
         "Examples:\n"
         "  polargrain resume out/domino-opalene                 (after Ctrl-C, a kill or a full disk)\n"
         "  polargrain resume out/domino-opalene --until 1.2     (a finished run goes on)\n"
+        "  polargrain resume out/bin --threads 4                (with other threads than it began with)\n"
         "Every file of the folder becomes what it would have been without the interruption, bit for bit.");
     command->callback([&] { action = [&] { return resume_command(request); }; });
 }
@@ -142,7 +146,7 @@ void add_compare(CLI::App& app, CompareRequest& request, Action& action) {
         ->type_name("KEY.PATH=VALUE")
         ->allow_extra_args(false);
     command->add_flag("--no-frames", request.overrides.no_frames, "draw no pictures and make no movie");
-    command->add_flag("--force", request.force, "replace what is in the folder");
+    command->add_flag("--force", request.force, "replace the comparison that is in the folder");
     command->add_flag("--quiet", request.quiet, "print nothing but errors");
     command->footer(
         "Examples:\n"

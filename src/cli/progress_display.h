@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 #include "src/run/progress.h"
@@ -32,6 +33,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     void show_line(const Progress& progress, double fraction);
+    std::string bar_line(double fraction, const std::string& numbers) const;
     std::string numbers(const Progress& progress) const;
 
     std::string label_;
@@ -40,6 +42,9 @@ private:
     Clock::time_point last_line_;
     int quarters_shown_ = 0;
 };
+
+/// Characters that a line on the terminal of standard output has room for; 80 where nothing tells.
+std::size_t terminal_columns();
 
 /// "0:07", "12:34", "3:05:00": hours only where there are any.
 std::string clock_text(double seconds);

@@ -27,21 +27,17 @@ std::optional<LabelledCheckpoint> last_checkpoint(const RunSession& session) {
     return read_checkpoint(session.checkpoint_file());
 }
 
-void print_where(const RunSession& session, const std::optional<LabelledCheckpoint>& saved, double duration) {
+std::string where(const RunSession& session, const std::optional<LabelledCheckpoint>& saved, double duration) {
     const std::string folder = session.folder.string();
-    if (!saved) {
-        fmt::print("{}: no checkpoint yet; the run starts from its beginning\n", folder);
-    } else if (time_reached(*saved) < 0.0) {
-        fmt::print("{}: carried on while the grains settle\n", folder);
-    } else {
-        fmt::print("{}: carried on from t = {:.6g} of {:.6g} s\n", folder, time_reached(*saved), duration);
-    }
+    if (!saved) return fmt::format("{}: no checkpoint yet; the run starts from its beginning", folder);
+    if (time_reached(*saved) < 0.0) return fmt::format("{}: carried on while the grains settle", folder);
+    return fmt::format("{}: carried on from t = {:.6g} of {:.6g} s", folder, time_reached(*saved), duration);
 }
 
 }  // namespace
 
 int resume_command(const ResumeRequest& request) {
-    const RunSession session{.folder = request.folder, .program = request.program, .quiet = request.quiet};
+    RunSession session{.folder = request.folder, .program = request.program, .quiet = request.quiet};
     require(fs::is_regular_file(session.scenario_file()),
             "{}: is no run folder, there is no scenario.toml in it; give a folder that polargrain run has made",
             request.folder.string());
@@ -56,7 +52,9 @@ int resume_command(const ResumeRequest& request) {
             {fmt::format("run.duration={:.17g}", *request.until), {fmt::format("--until {}", *request.until)}});
     }
     PreparedRun run = prepare_run(session.scenario_file().string(), overrides);
-    if (!request.quiet) print_where(session, saved, run.scenario.run.duration);
+    // Not as an override: the scenario of the run stays what it was.
+    if (request.threads) run.scenario.scene.threads = *request.threads;
+    session.opening_line = where(session, saved, run.scenario.run.duration);
     try {
         return run_session(session, lock, run, saved ? &*saved : nullptr);
     } catch (const InputError&) {

@@ -14,17 +14,27 @@ namespace fs = std::filesystem;
 int run_command(const RunRequest& request) {
     PreparedRun run = prepare_run(request.scenario, request.overrides);
     const fs::path folder = request.folder ? *request.folder : fs::path("out") / run.file.stem();
-    check_run_folder(folder, request.force);
+    const auto check = [&] {
+        check_scenario_stays(folder, run.file, run.scenario.resolved_toml);
+        check_run_folder(folder, request.force);
+    };
+    check();
     warn_of_large_step(run.time_step);
     if (!request.quiet && !request.brief) print_plan(run.scenario, run.time_step, run.notes);
 
-    const FolderLock lock = claim_run_folder(folder, request.force);
+    const FolderLock lock = claim_folder(folder, check);
+    std::error_code absent;
+    const bool in_place = fs::equivalent(folder / "scenario.toml", run.file, absent);
     clear_run_folder(folder);
-    const RunSession session{folder, request.program, request.quiet, request.brief, request.repeat_line};
+    const RunSession session{.folder = folder,
+                             .program = request.program,
+                             .quiet = request.quiet,
+                             .brief = request.brief,
+                             .repeat_line = request.repeat_line};
     try {
         return run_session(session, lock, run);
     } catch (const InputError& error) {
-        discard_run_folder(folder);
+        if (!in_place) discard_run_folder(folder);
         throw InputError(SourceLocation{.file = run.file.string(), .line = 0, .column = 0}, error.what());
     } catch (const std::exception& error) {
         if (!request.repeat_line.empty()) throw RunError(fmt::format("{}\n{}", error.what(), session.way_on()));

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/reader.h"
 #include "src/core/error.h"
+#include "src/record/checkpoint_file.h"
 #include "src/record/text_file.h"
 
 namespace polargrain {
@@ -16,10 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The scenario first: without it nothing is taken for a run that could be carried on while the rest goes.
-constexpr std::array k_run_files{"scenario.toml",      "scenario.toml.part", "checkpoint.h5", "checkpoint.h5.part",
-                                 "summary.json",       "summary.json.part",  "series.csv",    "trajectory.h5",
-                                 "trajectory.h5.part", "impacts.csv",        "sheet.png"};
+/// The scenario goes first: without it nothing is taken for a run that could be carried on while the rest goes. The
+/// checkpoint goes last: by it the rest is known to be of a run.
+constexpr std::array k_run_files{"scenario.toml",      "scenario.toml.part", "summary.json",  "summary.json.part",
+                                 "series.csv",         "impacts.csv",        "trajectory.h5", "trajectory.h5.part",
+                                 "checkpoint.h5.part", "checkpoint.h5"};
+constexpr const char* k_sheet = "sheet.png";  // made of a run when it has ended
 
 bool belongs_to_frames(const fs::path& file) {
     constexpr std::array extensions{".png", ".svg", ".pdf"};
@@ -27,6 +31,21 @@ bool belongs_to_frames(const fs::path& file) {
     const std::string stem = file.stem().string();
     return !stem.empty() && std::ranges::all_of(stem, [](char c) { return c >= '0' && c <= '9'; }) &&
            std::ranges::find(extensions, file.extension().string()) != extensions.end();
+}
+
+bool holds_frames(const fs::path& frames) {
+    return fs::is_directory(frames) && std::ranges::any_of(fs::directory_iterator(frames), [](const auto& entry) {
+               return belongs_to_frames(entry.path());
+           });
+}
+
+/// What a run would replace in the folder; nothing where it would replace nothing.
+std::string first_replaced(const fs::path& folder) {
+    for (const char* name : k_run_files) {
+        const fs::path file = folder / name;
+        if (file.extension() != ".part" && fs::exists(fs::symlink_status(file))) return name;
+    }
+    return holds_frames(folder / "frames") ? "frames" : "";
 }
 
 void remove_run_files(const fs::path& folder) {
@@ -50,24 +69,50 @@ void remove_frames(const fs::path& frames) {
     for (const fs::path& file : drawn) fs::remove(file);
 }
 
-void check_run_folder(const fs::path& folder, bool force) {
-    if (!fs::exists(folder)) return;
-    require(fs::is_directory(folder), "{}: is a file; give another folder with -o", folder.string());
-    require(force || fs::is_empty(folder),
-            "{}: the folder is not empty; give another with -o, or --force to replace the run in it", folder.string());
+bool holds_run(const fs::path& folder) {
+    return is_resolved_scenario(folder / "scenario.toml") || is_checkpoint(folder / "checkpoint.h5");
 }
 
-FolderLock claim_run_folder(const fs::path& folder, bool force) {
-    check_run_folder(folder, force);
+void check_run_folder(const fs::path& folder, bool force) {
+    check_place(folder);
+    if (!fs::exists(folder) || fs::is_empty(folder)) return;
+    if (holds_run(folder)) {
+        require(force, "{}: there is a run in the folder; give another with -o, or --force to replace that run",
+                folder.string());
+        return;
+    }
+    const std::string replaced = first_replaced(folder);
+    require(replaced.empty(),
+            "{}: there is no run in the folder, but {}, which a run would replace; give another folder with -o",
+            folder.string(), replaced);
+    require(force, "{}: the folder is not empty; give another with -o, or --force to put the run beside what is in it",
+            folder.string());
+}
+
+void check_scenario_stays(const fs::path& folder, const fs::path& scenario, const std::string& resolved) {
+    for (const char* name : k_run_files) {
+        std::error_code absent;
+        if (!fs::equivalent(folder / name, scenario, absent)) continue;
+        require(content_of(scenario) == resolved,
+                "{}: is the scenario that is read, and a run in its folder would replace it; give another folder with "
+                "-o",
+                scenario.string());
+    }
+}
+
+FolderLock claim_folder(const fs::path& folder, const std::function<void()>& check) {
+    check();
     make_folder(folder);
     FolderLock lock(folder);
-    check_run_folder(folder, force);  // another run may have begun and ended in it by now
+    check();  // another program may have begun and ended in it by now
     return lock;
 }
 
 void clear_run_folder(const fs::path& folder) {
+    if (!holds_run(folder)) return;
     try {
         remove_run_files(folder);
+        fs::remove(folder / k_sheet);
     } catch (const fs::filesystem_error& error) {
         throw RunError(fmt::format("cannot empty the run folder {}: {}", folder.string(), error.code().message()));
     }

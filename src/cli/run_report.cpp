@@ -13,6 +13,9 @@ namespace polargrain {
 
 namespace {
 
+/// Overlaps that differ by less of the mean outer radius are not worth a note.
+constexpr double k_worth_telling = 0.01;
+
 double ratio(double a, double b) { return b > 0.0 ? a / b : 0.0; }
 
 }  // namespace
@@ -65,7 +68,27 @@ Summary summarize(const Scenario& scenario, const RunInfo& info, const RunState&
     return summary;
 }
 
-void print_summary(const Summary& summary, double initial_energy, const std::filesystem::path& folder) {
+std::vector<std::string> findings(const Summary& summary, const Scene& scene) {
+    std::vector<std::string> found;
+    if (const auto& settling = summary.settling; settling && !settling->at_rest) {
+        found.push_back(fmt::format(
+            "the grains were not yet at rest at time zero: after settle.at_most = {:.4g} s their kinetic energy was "
+            "{:.2g} m g R_max per grain, and settle.until_energy asks for {:.2g}",
+            settling->at_most, settling->energy, settling->until_energy));
+    }
+    const auto measured = summary.observables.find("deepest_overlap");
+    if (measured != summary.observables.end() &&
+        measured->second - summary.totals.deepest > k_worth_telling * mean_outer_radius(scene)) {
+        found.push_back(fmt::format(
+            "overlaps of up to {:.3g} m were measured on the outlines, and the engine tells of {:.3g} m: go by "
+            "observables.deepest_overlap, not by deepest_overlap",
+            measured->second, summary.totals.deepest));
+    }
+    return found;
+}
+
+void print_summary(const Summary& summary, const std::vector<std::string>& findings, double initial_energy,
+                   const std::filesystem::path& folder) {
     const Totals& totals = summary.totals;
     const auto steps = static_cast<double>(summary.steps);
     fmt::print("{} grains, {} steps of {:.4g} s to t = {:.4g} s\n", summary.grains, summary.steps, summary.time_step,
@@ -79,6 +102,7 @@ void print_summary(const Summary& summary, double initial_energy, const std::fil
     fmt::print("  energy created   {:.3g} of E0 = {:.4g} J/m (sum of rises)\n",
                ratio(totals.ledger.rises, initial_energy), initial_energy);
     fmt::print("  deepest overlap  {:.3g} m\n", totals.deepest);
+    for (const std::string& finding : findings) fmt::print("  note             {}\n", finding);
     if (summary.grains_out > 0) fmt::print("  grains out       {}\n", summary.grains_out);
     fmt::print("  state hash       {}\n", summary.state_hash);
     fmt::print("  run folder       {}\n", folder.string());

@@ -25,7 +25,12 @@ void warn_of_large_step(const TimeStep& time_step);
 Summary summarize(const Scenario& scenario, const RunInfo& info, const RunState& state, Ending ending,
                   const RunCost& cost);
 
-/// The closing lines of a run: what it took, and how honest the method was.
-void print_summary(const Summary& summary, double initial_energy, const std::filesystem::path& folder);
+/// What a reader of the numbers has to know and only the run could tell, a sentence each: grains that were not at rest
+/// at time zero, overlaps that the engine does not count.
+std::vector<std::string> findings(const Summary& summary, const Scene& scene);
+
+/// The closing lines of a run: what it took, how honest the method was, and its findings.
+void print_summary(const Summary& summary, const std::vector<std::string>& findings, double initial_energy,
+                   const std::filesystem::path& folder);
 
 }  // namespace polargrain

@@ -39,8 +39,10 @@ namespace {
 constexpr const char* k_time_step = "time_step";
 constexpr const char* k_cost = "cost";
 constexpr const char* k_settling = "settling";  // the grains come to rest before time zero
+constexpr const char* k_settled = "settled";    // what that led to: time, energy, whether at rest
 constexpr const char* k_start = "start";        // motion of the grains at time zero
 constexpr const char* k_running = "running";
+constexpr const char* k_outcome = "outcome";  // in `settled`
 
 class Stopwatch {
 public:
@@ -95,6 +97,10 @@ public:
         if (saved == nullptr || !holds(saved->content, k_running)) return;
         const auto& cost = saved->content.reals(k_cost);
         spent_ = {cost.at(0), cost.at(1)};
+        if (holds(saved->content, k_settled)) {
+            const std::vector<double> settled = saved->content.part(k_settled).reals(k_outcome);
+            settling_ = settling_summary(settled.at(0), settled.at(1), settled.at(2) != 0.0);
+        }
     }
 
     int carry_out();
@@ -102,6 +108,7 @@ public:
 private:
     void begin_folder() const;
     bool let_settle();
+    SettlingSummary settling_summary(double seconds, double energy, bool at_rest) const;
     std::vector<std::unique_ptr<Sink>> make_sinks() const;
     Ending simulate(Simulation& simulation);
     LoopControl control(ProgressDisplay& display, const char* part);
@@ -115,6 +122,7 @@ private:
     CheckpointLabel label_;
     DisplayMode mode_;
     std::optional<Checkpoint> settled_;  // the engine's memory of how the settled grains touch
+    std::optional<SettlingSummary> settling_;
     Checkpoint start_;
     RunCost spent_;  // before this program
     Stopwatch stopwatch_;
@@ -126,6 +134,7 @@ int Session::carry_out() {
     const std::vector<std::unique_ptr<Sink>> sinks = make_sinks();
     // Whatever could refuse to be carried on does so before anything in the folder is changed.
     if (running) check_sinks(sinks, scenario.scene, saved_->content.part(k_running));
+    if (!session_.quiet && !session_.opening_line.empty()) fmt::print("{}\n", session_.opening_line);
     begin_folder();
     if (running) {
         load_motion(saved_->content.part(k_start), scenario.scene.grains);
@@ -149,9 +158,14 @@ int Session::carry_out() {
     const Ending ending = simulate(simulation);
     Summary summary = summarize(scenario, info, simulation.state(), ending, cost());
     summary.observables = measurements.values();
+    summary.settling = settling_;
     summary.notes = run_.notes;
+    const std::vector<std::string> found = findings(summary, scenario.scene);
+    summary.notes.insert(summary.notes.end(), found.begin(), found.end());
     write_summary(session_.folder / "summary.json", summary);
-    if (!session_.quiet && !session_.brief) print_summary(summary, initial_energy(scenario.scene), session_.folder);
+    if (!session_.quiet && !session_.brief) {
+        print_summary(summary, found, initial_energy(scenario.scene), session_.folder);
+    }
     if (ending == Ending::completed) return k_exit_done;
     return report_interrupt(fmt::format("at t = {:.6g} of {:.6g} s", summary.simulated_seconds, info.duration));
 }
@@ -168,12 +182,16 @@ bool Session::let_settle() {
     Scenario& scenario = run_.scenario;
     std::optional<Checkpoint> before;
     if (saved_ != nullptr) before = saved_->content.part(k_settling);
-    ProgressDisplay display("settling", mode_);
-    Settled settled = settle(
-        scenario.scene, *scenario.settle, run_.time_step.dt,
-        [this](const Scene& scene) { return run_.make_engine(scene); }, control(display, k_settling),
-        before ? &*before : nullptr);
+    const auto shown = [&] {  // what follows is printed when its progress has been erased
+        ProgressDisplay display("settling", mode_);
+        return settle(
+            scenario.scene, *scenario.settle, run_.time_step.dt,
+            [this](const Scene& scene) { return run_.make_engine(scene); }, control(display, k_settling),
+            before ? &*before : nullptr);
+    };
+    Settled settled = shown();
     if (settled.stopped) return false;
+    settling_ = settling_summary(settled.time, settled.energy, settled.at_rest);
     scenario.scene.grains = std::move(settled.grains);
     settled_ = std::move(settled.engine);
     if (mode_ != DisplayMode::none) {
@@ -181,6 +199,11 @@ bool Session::let_settle() {
                    settled.at_rest ? "at rest" : "not yet at rest", settled.time, settled.energy);
     }
     return true;
+}
+
+SettlingSummary Session::settling_summary(double seconds, double energy, bool at_rest) const {
+    const SettleSettings& asked = run_.scenario.settle.value();
+    return {at_rest, seconds, asked.at_most, energy, asked.until_energy};
 }
 
 std::vector<std::unique_ptr<Sink>> Session::make_sinks() const {
@@ -223,7 +246,14 @@ void Session::keep(const char* part, const Checkpoint& content) {
     const RunCost so_far = cost();
     all.content.put(k_time_step, std::vector{run_.time_step.dt});
     all.content.put(k_cost, std::vector{so_far.cpu_seconds, so_far.wall_seconds});
-    if (std::string_view(part) == k_running) all.content.put_part(k_start, start_);
+    if (std::string_view(part) == k_running) {
+        all.content.put_part(k_start, start_);
+        if (settling_) {
+            Checkpoint settled;
+            settled.put(k_outcome, std::vector{settling_->seconds, settling_->energy, settling_->at_rest ? 1.0 : 0.0});
+            all.content.put_part(k_settled, settled);
+        }
+    }
     all.content.put_part(part, content);
     write_checkpoint(session_.checkpoint_file(), all);
 }

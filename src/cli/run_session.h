@@ -14,8 +14,9 @@ struct RunSession {
     std::filesystem::path folder;
     std::string program = "polargrain";  ///< as it was called, for messages that say how to go on
     bool quiet = false;
-    bool brief = false;            ///< show progress, but no summary
-    std::string repeat_line = {};  ///< command that does all of it again, where resuming would not do; empty: it will
+    bool brief = false;             ///< show progress, but no summary
+    std::string opening_line = {};  ///< said when nothing can refuse the run any more; empty: nothing
+    std::string repeat_line = {};   ///< command that does all of it again, where resuming would not do; empty: it will
 
     std::filesystem::path scenario_file() const { return folder / "scenario.toml"; }
     std::filesystem::path checkpoint_file() const { return folder / "checkpoint.h5"; }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,11 +30,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds k_between_looks{20};
-
-std::string content_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// One run of the sweep and its folder.
 struct Job {
@@ -67,12 +60,32 @@ struct Job {
     }
 };
 
+/// What sets a run apart from the others: "materials.stone.friction=0.4, run.seed=3".
+std::string combination(const SweepPlan& plan, const SweepRun& run) {
+    std::string text;
+    for (std::size_t k = plan.set.size(); k < run.overrides.laid.size(); ++k) {
+        text += (text.empty() ? "" : ", ") + run.overrides.laid[k].text;
+    }
+    return text;
+}
+
+PreparedRun prepare_job(const SweepPlan& plan, const SweepRun& run) {
+    try {
+        return prepare_run(plan.scenario.string(), run.overrides);
+    } catch (const InputError& error) {
+        const std::string values = combination(plan, run);
+        if (values.empty()) throw;
+        throw InputError(fmt::format("{}\nso it is in the run with {}; change or leave out one of these values",
+                                     error.what(), values));
+    }
+}
+
 std::vector<Job> jobs_of(const SweepPlan& plan, const fs::path& folder) {
     std::vector<Job> jobs;
     for (SweepRun& run : sweep_runs(plan)) {
         Job job;
         // Read here for all of them, so that a mistake in the last one shows before the first one runs.
-        job.scenario = prepare_run(plan.scenario.string(), run.overrides).scenario.resolved_toml;
+        job.scenario = prepare_job(plan, run).scenario.resolved_toml;
         job.name = fmt::format("{:04}", jobs.size());
         job.folder = folder / "runs" / job.name;
         job.run = std::move(run);
@@ -167,6 +180,12 @@ bool run_all(Schedule& schedule, std::int64_t count, bool quiet) {
     return true;
 }
 
+/// Empty where the grains had not been asked to come to rest.
+const char* settled_text(const StoredSummary& summary) {
+    if (!summary.at_rest) return "";
+    return *summary.at_rest ? "yes" : "no";
+}
+
 /// A row for each run; a column for each parameter and each observable that any run has; empty where one has no value.
 std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
     std::vector<std::optional<StoredSummary>> summaries;
@@ -178,21 +197,21 @@ std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
     }
     std::string table = "run";
     for (const SweepPlan::Parameter& parameter : plan.parameters) table += "," + csv_field(parameter.key);
-    table += ",engine,seed,status,steps,simulated_seconds,state_hash";
+    table += ",engine,seed,status,steps,simulated_seconds,state_hash,settled";
     for (const std::string& name : observables) table += "," + csv_field(name);
     table += "\n";
     for (std::size_t k = 0; k < jobs.size(); ++k) {
         table += jobs[k].name;
         for (const std::string& value : jobs[k].run.values) table += "," + csv_field(value);
         if (const std::optional<StoredSummary>& summary = summaries[k]) {
-            table += fmt::format(",{},{},done,{},{},{}", summary->engine, summary->seed, summary->steps,
-                                 summary->simulated_seconds, summary->state_hash);
+            table += fmt::format(",{},{},done,{},{},{},{}", summary->engine, summary->seed, summary->steps,
+                                 summary->simulated_seconds, summary->state_hash, settled_text(*summary));
             for (const std::string& name : observables) {
                 const auto value = summary->observables.find(name);
                 table += value != summary->observables.end() ? fmt::format(",{}", value->second) : ",";
             }
         } else {
-            table += ",,,failed,,," + std::string(observables.size(), ',');
+            table += ",,,failed,,,," + std::string(observables.size(), ',');
         }
         table += "\n";
     }
@@ -202,11 +221,19 @@ std::string table_of(const std::vector<Job>& jobs, const SweepPlan& plan) {
 /// InputError where the folder holds something else than this sweep, or runs of another scenario. Changes nothing.
 void check_folder(const SweepRequest& request, const fs::path& folder, const SweepPlan& plan,
                   const std::vector<Job>& jobs) {
+    check_place(folder);
     if (!fs::exists(folder)) return;
-    require(fs::is_directory(folder), "{}: is a file; give another folder with -o", folder.string());
+    const fs::path copy = folder / "sweep.toml", table = folder / "table.csv";
+    const bool the_same = fs::exists(copy) && content_of(copy) == plan.text;
+    if (!fs::exists(folder / "runs")) {
+        for (const fs::path& file : {copy, table}) {
+            require(!fs::exists(file) || (file == copy && the_same),
+                    "{}: there is no sweep in the folder, but {}, which one would replace; give another folder with -o",
+                    folder.string(), file.filename().string());
+        }
+    }
     if (request.force) return;
-    const fs::path copy = folder / "sweep.toml";
-    require(fs::is_empty(folder) || (fs::exists(copy) && content_of(copy) == plan.text),
+    require(fs::is_empty(folder) || the_same,
             "{}: holds something else than this sweep; give another folder with -o, or --force to replace the sweep in "
             "it",
             folder.string());
@@ -237,6 +264,14 @@ int report(const std::vector<Job>& jobs, const fs::path& table, bool quiet) {
         if (!job.failed) continue;
         ++failed;
         tell("run {} failed; what it said is in {}\n", job.name, job.log().string());
+    }
+    const auto restless = std::ranges::count_if(jobs, [](const Job& job) {
+        const std::optional<StoredSummary> summary = job.done ? job.summary() : std::nullopt;
+        return summary && !summary->at_rest.value_or(true);
+    });
+    if (restless > 0) {
+        tell("note: the grains of {} of {} runs were not yet at rest at time zero: settled = no in the table\n",
+             restless, jobs.size());
     }
     if (!quiet) fmt::print("{} runs, {} failed: {}\n", jobs.size(), failed, table.string());
     return failed == 0 ? k_exit_done : k_exit_failed;

@@ -58,7 +58,7 @@ bool ExpectationResult::holds() const {
 bool Verification::holds() const { return std::ranges::all_of(findings, &ExpectationResult::holds); }
 
 Verification begin_verification(const std::string& name, const Scenario& scenario) {
-    Verification verification{name, scenario.title, {}};
+    Verification verification{.name = name, .title = scenario.title, .findings = {}};
     const std::vector<std::string> labels = expectation_labels(scenario.expectations);
     for (std::size_t k = 0; k < labels.size(); ++k) {
         const Expectation& e = scenario.expectations[k];
@@ -71,6 +71,8 @@ Verification begin_verification(const std::string& name, const Scenario& scenari
 
 void add_run(Verification& verification, const Scenario& scenario, const std::filesystem::path& folder) {
     const StoredSummary summary = read_summary(folder);
+    verification.runs += 1;
+    if (!summary.at_rest.value_or(true)) verification.restless += 1;
     // Units such as d and m are those of its own grains, which another seed has drawn otherwise.
     const Scene scene = load_scenario(folder / "scenario.toml", {}).scene;
     for (std::size_t k = 0; k < verification.findings.size(); ++k) {
@@ -101,6 +103,10 @@ std::string verification_table(const Verification& verification) {
     for (const ExpectationResult& f : verification.findings) {
         row(fmt::format("{} [{}]", f.label, f.unit), measured_text(f), band_text(f), f.holds() ? "ok" : k_falls_short,
             f.source);
+    }
+    if (verification.restless > 0) {
+        text += fmt::format("  note: the grains of {} of {} runs were not yet at rest at time zero\n",
+                            verification.restless, verification.runs);
     }
     return text;
 }

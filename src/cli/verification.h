@@ -29,6 +29,8 @@ struct Verification {
     std::string name;
     std::string title;
     std::vector<ExpectationResult> findings;
+    int runs = 0;
+    int restless = 0;  ///< runs whose grains were not yet at rest at time zero, though asked to come to it
 
     bool holds() const;
 };

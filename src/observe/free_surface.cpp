@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "src/core/error.h"
 #include "src/observe/bed.h"
 
 namespace polargrain {
@@ -35,30 +38,89 @@ std::optional<Standing> standing_grains(const Scene& scene, const Grains& grains
     return standing;
 }
 
-/// Strips side by side from the left wall on, as many to a mean outer diameter as wanted.
-struct Strips {
-    double width = 0.0;           ///< of a strip [m]
-    std::vector<double> heights;  ///< [m], zero as long as a strip is empty
-
-    Strips(const Scene& scene, double across, double a_diameter) {
-        const double n = std::max(1.0, std::round(a_diameter * across / (2.0 * mean_outer_radius(scene))));
-        width = across / n;
-        heights.assign(static_cast<std::size_t>(n), 0.0);
+/// Strips side by side from the left wall on, as many to a mean outer diameter as wanted. Only those that a standing
+/// grain can reach are kept, so that their number follows the grains, however far the walls are apart.
+class Strips {
+public:
+    Strips(const Scene& scene, const Grains& grains, const Standing& standing, double a_diameter)
+        : count_(std::max(1.0, std::round(a_diameter * standing.width / (2.0 * mean_outer_radius(scene))))),
+          width_(standing.width / count_) {
+        std::vector<Run> reaches;
+        for (const GrainIndex k : standing.grains) {
+            const double x = standing.corner.to_local(grains.position(k)).x();
+            const double reach = outer_radius(scene.shape_of(k)) + width_;  // a strip more, against rounding
+            reaches.push_back({first_from(x - reach), end_at(x + reach), 0});
+        }
+        std::ranges::sort(reaches, {}, &Run::first);
+        for (const Run& reach : reaches) {
+            if (runs_.empty() || reach.first > runs_.back().end) runs_.push_back(reach);
+            runs_.back().end = std::max(runs_.back().end, reach.end);
+        }
+        std::size_t kept = 0;
+        for (Run& run : runs_) {
+            run.at = kept;
+            kept += static_cast<std::size_t>(run.end - run.first);
+        }
+        heights_.assign(kept, 0.0);
     }
 
-    double middle(std::size_t strip) const { return (static_cast<double>(strip) + 0.5) * width; }
-    void raise(std::size_t strip, double height) { heights[strip] = std::max(heights[strip], height); }
+    double width() const { return width_; }  ///< of a strip [m]
+    /// Of the strips that are kept, from left to right [m]; zero as long as a strip is empty, as all others are.
+    const std::vector<double>& heights() const { return heights_; }
 
-    /// Raises the strips whose middles lie in [from, to] to height_at(middle).
+    /// The middles of the strips that are not empty, at their heights, from left to right.
+    std::vector<Vec2> tops() const {
+        std::vector<Vec2> tops;
+        for (const Run& run : runs_) {
+            for (std::int64_t strip = run.first; strip < run.end; ++strip) {
+                const double height = heights_[run.at + static_cast<std::size_t>(strip - run.first)];
+                if (height > 0.0) tops.emplace_back(middle(strip), height);
+            }
+        }
+        return tops;
+    }
+
+    /// Raises the strip in which x lies, which a standing grain reaches, to a height.
+    void raise_at(double x, double height) {
+        const auto strip = static_cast<std::int64_t>(std::min(std::floor(x / width_), count_ - 1.0));
+        double& kept = *place_of(strip);
+        kept = std::max(kept, height);
+    }
+
+    /// Raises the strips whose middles lie in [from, to], within reach of one grain, to height_at(middle).
     template <typename HeightAt>
     void raise_between(double from, double to, HeightAt&& height_at) {
-        const auto end = static_cast<double>(heights.size());
-        const double first = std::clamp(std::ceil(from / width - 0.5), 0.0, end);
-        const double last = std::clamp(std::floor(to / width - 0.5) + 1.0, 0.0, end);
-        for (auto strip = static_cast<std::size_t>(first); strip < static_cast<std::size_t>(last); ++strip) {
-            raise(strip, height_at(middle(strip)));
-        }
+        const std::int64_t first = first_from(from), end = end_at(to);
+        if (first >= end) return;
+        double* kept = place_of(first);
+        for (std::int64_t strip = first; strip < end; ++strip, ++kept)
+            *kept = std::max(*kept, height_at(middle(strip)));
     }
+
+private:
+    /// Strips without a gap between them.
+    struct Run {
+        std::int64_t first, end;
+        std::size_t at;  ///< where their heights begin
+    };
+
+    double middle(std::int64_t strip) const { return (static_cast<double>(strip) + 0.5) * width_; }
+    std::int64_t first_from(double x) const {
+        return static_cast<std::int64_t>(std::clamp(std::ceil(x / width_ - 0.5), 0.0, count_));
+    }
+    std::int64_t end_at(double x) const {
+        return static_cast<std::int64_t>(std::clamp(std::floor(x / width_ - 0.5) + 1.0, 0.0, count_));
+    }
+    double* place_of(std::int64_t strip) {
+        const Run& run = *std::prev(std::ranges::upper_bound(runs_, strip, {}, &Run::first));
+        PG_ASSERT(strip >= run.first && strip < run.end, "strip {} is kept by none of {} runs", strip, runs_.size());
+        return heights_.data() + run.at + static_cast<std::size_t>(strip - run.first);
+    }
+
+    double count_;
+    double width_;
+    std::vector<Run> runs_;
+    std::vector<double> heights_;
 };
 
 void raise_under(Strips& strips, const Disk& disk, const Pose& pose) {
@@ -81,17 +143,15 @@ void raise_under(Strips& strips, const PolarPolygon& polygon, const Pose& pose) 
     }
 }
 
-/// Columns that a line is laid through.
-std::vector<std::size_t> columns_of_line(const Strips& columns, const Pose& corner,
-                                         const std::optional<Region>& region) {
-    std::vector<std::size_t> chosen;
-    for (std::size_t c = 0; c < columns.heights.size(); ++c) {
-        if (columns.heights[c] <= 0.0) continue;
-        if (!region || region->holds(corner.to_world({columns.middle(c), columns.heights[c]}))) chosen.push_back(c);
+/// The tops that a line is laid through.
+std::vector<Vec2> tops_of_line(const Strips& columns, const Pose& corner, const std::optional<Region>& region) {
+    std::vector<Vec2> tops = columns.tops();
+    if (region) {
+        std::erase_if(tops, [&](const Vec2& top) { return !region->holds(corner.to_world(top)); });
+        return tops;
     }
-    if (region) return chosen;
-    const auto skip = static_cast<std::ptrdiff_t>(chosen.size() / 5);
-    return {chosen.begin() + skip, chosen.end() - skip};
+    const auto skip = static_cast<std::ptrdiff_t>(tops.size() / 5);
+    return {tops.begin() + skip, tops.end() - skip};
 }
 
 }  // namespace
@@ -99,13 +159,13 @@ std::vector<std::size_t> columns_of_line(const Strips& columns, const Pose& corn
 std::optional<double> area_under_tops(const Scene& scene, const Grains& grains) {
     const std::optional<Standing> standing = standing_grains(scene, grains);
     if (!standing) return std::nullopt;
-    Strips lines(scene, standing->width, k_lines_a_diameter);
+    Strips lines(scene, grains, *standing, k_lines_a_diameter);
     for (const GrainIndex k : standing->grains) {
         const Pose pose = grains.pose(k).relative_to(standing->corner);
         std::visit([&](const auto& shape) { raise_under(lines, shape, pose); }, scene.shape_of(k));
     }
     double under = 0.0;
-    for (const double height : lines.heights) under += lines.width * height;
+    for (const double height : lines.heights()) under += lines.width() * height;
     return under;
 }
 
@@ -120,23 +180,22 @@ double area_fraction(const Scene& scene, const Grains& grains) {
 double surface_slope(const Scene& scene, const Grains& grains, const std::optional<Region>& region) {
     const std::optional<Standing> standing = standing_grains(scene, grains);
     if (!standing) return std::nan("");
-    Strips columns(scene, standing->width, 1.0);
+    Strips columns(scene, grains, *standing, 1.0);
     for (const GrainIndex k : standing->grains) {
         const Vec2 centre = standing->corner.to_local(grains.position(k));
-        const auto column = std::min(static_cast<std::size_t>(centre.x() / columns.width), columns.heights.size() - 1);
-        columns.raise(column, centre.y() + outer_radius(scene.shape_of(k)));
+        columns.raise_at(centre.x(), centre.y() + outer_radius(scene.shape_of(k)));
     }
-    const std::vector<std::size_t> chosen = columns_of_line(columns, standing->corner, region);
+    const std::vector<Vec2> chosen = tops_of_line(columns, standing->corner, region);
     if (chosen.size() < 3) return std::nan("");
     const auto n = static_cast<double>(chosen.size());
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (const std::size_t c : chosen) {
-        x += columns.middle(c) / n;
-        y += columns.heights[c] / n;
+    for (const Vec2& top : chosen) {
+        x += top.x() / n;
+        y += top.y() / n;
     }
-    for (const std::size_t c : chosen) {
-        xx += (columns.middle(c) - x) * (columns.middle(c) - x);
-        xy += (columns.middle(c) - x) * (columns.heights[c] - y);
+    for (const Vec2& top : chosen) {
+        xx += (top.x() - x) * (top.x() - x);
+        xy += (top.x() - x) * (top.y() - y);
     }
     return std::atan(xy / xx);
 }

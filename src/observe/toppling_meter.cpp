@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "src/observe/bed.h"
 
@@ -14,6 +15,18 @@ constexpr double k_steady = 0.05;    // share of the natural speed
 /// Single pitches of bouncing dominoes differ by up to a quarter.
 constexpr std::size_t k_behind = 2, k_ahead = 3;
 constexpr std::size_t k_shortest_row = 12;
+constexpr double k_level = 0.1;  // of the mean height, between centres in a row
+
+/// height: twice those of the centres above the lowest point of the scene.
+bool stand_in_a_row(const Scene& scene, const std::vector<double>& height) {
+    double mean = 0.0;
+    for (const double h : height) mean += h / static_cast<double>(height.size());
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
+        if (std::holds_alternative<Disk>(scene.shape_of(k))) return false;
+        if (!(std::abs(height[Grains::at(k)] - mean) <= k_level * mean)) return false;
+    }
+    return true;
+}
 
 }  // namespace
 
@@ -28,6 +41,7 @@ TopplingMeter::TopplingMeter(const Scene& scene, Measure measure)
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         height_.push_back(2.0 * (up.dot(scene.grains.position(k)) - lowest));
     }
+    in_a_row_ = stand_in_a_row(scene, height_);
 }
 
 void TopplingMeter::step(const World& world, double /*dt*/, const StepReport& /*report*/) {
@@ -40,6 +54,7 @@ void TopplingMeter::step(const World& world, double /*dt*/, const StepReport& /*
 
 std::vector<std::size_t> TopplingMeter::toppled_in_order() const {
     std::vector<std::size_t> toppled;
+    if (!in_a_row_) return toppled;
     for (std::size_t k = 0; k < toppled_at_.size(); ++k) {
         if (toppled_at_[k] >= 0.0) toppled.push_back(k);
     }

@@ -11,7 +11,8 @@ namespace polargrain {
 /// The wave of toppling dominoes. [HN94, sec. 4.1, Figs. 10-11]
 ///
 /// A grain has toppled when it has turned by 0.02 rad from where it stood; those that have are put in the order in
-/// which they stood along x, as the wave runs.
+/// which they stood along x, as the wave runs. Nothing has toppled where the grains are no dominoes in a row: where one
+/// of them is a disk, or their centres are not at one height at time zero, to a tenth of their mean.
 class TopplingMeter {
 public:
     enum class Measure { speed, run_in };
@@ -43,6 +44,7 @@ private:
     std::vector<double> stood_at_, height_, angle_;
     std::vector<double> toppled_at_;  ///< [s]; negative: stands yet
     double gravity_ = 0.0;
+    bool in_a_row_ = false;
 };
 
 }  // namespace polargrain

@@ -23,11 +23,6 @@ constexpr int k_format = 3;
 constexpr std::size_t k_head_bytes = 512;
 constexpr std::string_view k_first_line = "polargrain checkpoint\n";
 
-std::string content_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 /// The text in front, which vouches for every byte behind it.
 std::string head_for(int format, std::string_view bytes) {
     StateHash hash;
@@ -114,6 +109,13 @@ void write_checkpoint(const fs::path& path, const LabelledCheckpoint& checkpoint
         fs::remove(part, ignored);
         throw RunError(fmt::format("{}: {}", part.string(), failure.what()));
     }
+}
+
+bool is_checkpoint(const fs::path& path) {
+    std::string head(k_first_line.size(), '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    return file.good() && head == k_first_line;
 }
 
 LabelledCheckpoint read_checkpoint(const fs::path& path) {

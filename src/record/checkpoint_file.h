@@ -27,6 +27,9 @@ struct LabelledCheckpoint {
 /// docs/run-folder.md gives the layout.
 void write_checkpoint(const std::filesystem::path& path, const LabelledCheckpoint& checkpoint);
 
+/// Whether the file begins as a checkpoint does; what follows may be damaged.
+bool is_checkpoint(const std::filesystem::path& path);
+
 /// Reads one back, with all its bits. InputError where it is absent, damaged, cut short, foreign, or of a format that
 /// this program does not know.
 LabelledCheckpoint read_checkpoint(const std::filesystem::path& path);

@@ -6,15 +6,11 @@
 
 #include "src/observe/bed.h"
 #include "src/observe/motion.h"
+#include "src/observe/series_columns.h"
 
 namespace polargrain {
 
 namespace {
-
-constexpr const char* k_columns =
-    "time,step,kinetic_translational,kinetic_rotational,potential,dissipated_normal,dissipated_friction,wall_work,"
-    "contacts,impacts,moves_rejected,moves_shortened,centre_of_mass_x,centre_of_mass_y,grains_in,grains_out,"
-    "energy_correction,energy_created,energy_rises,moves_tried,energy_stored";
 
 /// Where the memory of an observer stands in a checkpoint: apart from our own, whatever its label.
 std::string memory_of(const Observer& observer) { return "observed/" + observer.label(); }
@@ -30,12 +26,8 @@ void SeriesCsv::make_observers(const Scene& scene) {
 }
 
 void SeriesCsv::begin(const Scene& scene, const RunInfo& /*info*/) {
-    std::string header = k_columns;
-    for (const Wall& wall : scene.walls) {
-        for (const char* quantity : {"fx", "fy", "torque"}) {
-            header += ',' + csv_field(fmt::format("wall_{}_{}", wall.name, quantity));
-        }
-    }
+    std::string header;
+    for (const std::string& column : series_columns(scene)) header += (header.empty() ? "" : ",") + csv_field(column);
     make_observers(scene);
     for (const Observer& observer : observers_) header += ',' + csv_field(observer.label());
     wall_sums_.assign(scene.walls.size(), {});

@@ -44,30 +44,40 @@ double mean_contacts(const Totals& totals) {
     return totals.steps > 0 ? static_cast<double>(totals.contact_sum) / static_cast<double>(totals.steps) : 0.0;
 }
 
+Json settling_of(const SettlingSummary& settling) {
+    return {{"at_rest", settling.at_rest},
+            {"seconds", settling.seconds},
+            {"at_most", settling.at_most},
+            {"energy", settling.energy},
+            {"until_energy", settling.until_energy}};
+}
+
 Json to_json(const Summary& summary) {
-    return {{"title", summary.title},
-            {"source", summary.source},
-            {"engine", summary.engine},
-            {"version", summary.version},
-            {"build_flags", summary.build_flags},
-            {"notes", summary.notes},
-            {"seed", summary.seed},
-            {"threads", summary.threads},
-            {"interrupted", !summary.completed},
-            {"steps", summary.steps},
-            {"time_step", summary.time_step},
-            {"simulated_seconds", summary.simulated_seconds},
-            {"cpu_seconds", summary.cpu_seconds},
-            {"wall_seconds", summary.wall_seconds},
-            {"grains", summary.grains},
-            {"grains_out", summary.grains_out},
-            {"mean_contacts", mean_contacts(summary.totals)},
-            {"impacts", summary.totals.impacts},
-            {"moves", moves_of(summary.totals.moves)},
-            {"deepest_overlap", summary.totals.deepest},
-            {"energy", ledger_of(summary)},
-            {"state_hash", summary.state_hash},
-            {"observables", Json(summary.observables)}};
+    Json json{{"title", summary.title},
+              {"source", summary.source},
+              {"engine", summary.engine},
+              {"version", summary.version},
+              {"build_flags", summary.build_flags},
+              {"notes", summary.notes},
+              {"seed", summary.seed},
+              {"threads", summary.threads},
+              {"interrupted", !summary.completed},
+              {"steps", summary.steps},
+              {"time_step", summary.time_step},
+              {"simulated_seconds", summary.simulated_seconds},
+              {"cpu_seconds", summary.cpu_seconds},
+              {"wall_seconds", summary.wall_seconds},
+              {"grains", summary.grains},
+              {"grains_out", summary.grains_out},
+              {"mean_contacts", mean_contacts(summary.totals)},
+              {"impacts", summary.totals.impacts},
+              {"moves", moves_of(summary.totals.moves)},
+              {"deepest_overlap", summary.totals.deepest},
+              {"energy", ledger_of(summary)},
+              {"state_hash", summary.state_hash},
+              {"observables", Json(summary.observables)}};
+    if (summary.settling) json["settling"] = settling_of(*summary.settling);
+    return json;
 }
 
 }  // namespace

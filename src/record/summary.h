@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,15 @@
 
 namespace polargrain {
 
+/// How the grains came to rest before time zero.
+struct SettlingSummary {
+    bool at_rest = false;
+    double seconds = 0.0;       ///< [s] simulated until then
+    double at_most = 0.0;       ///< [s] allowed
+    double energy = 0.0;        ///< kinetic energy per grain left, over m g R_max
+    double until_energy = 0.0;  ///< asked for, in the same unit
+};
+
 /// What summary.json says of a run.
 struct Summary {
     std::string title;
@@ -18,10 +28,11 @@ struct Summary {
     std::string engine;
     std::string version;
     std::string build_flags;
-    std::vector<std::string> notes;  ///< what the engine leaves out or replaces of the scenario
+    std::vector<std::string> notes;  ///< what a reader of the numbers has to know
     std::uint64_t seed = 0;
     int threads = 1;
-    bool completed = true;  ///< false: interrupted before its duration was over
+    bool completed = true;                    ///< false: interrupted before its duration was over
+    std::optional<SettlingSummary> settling;  ///< none: not asked for
     std::int64_t steps = 0;
     double time_step = 0.0;          ///< [s]
     double simulated_seconds = 0.0;  ///< [s]

@@ -27,6 +27,7 @@ StoredSummary read_summary(const std::filesystem::path& folder) {
         json.at("engine").get_to(summary.engine);
         json.at("seed").get_to(summary.seed);
         summary.completed = !json.at("interrupted").get<bool>();
+        if (json.contains("settling")) summary.at_rest = json.at("settling").at("at_rest").get<bool>();
         json.at("steps").get_to(summary.steps);
         json.at("time_step").get_to(summary.time_step);
         json.at("simulated_seconds").get_to(summary.simulated_seconds);

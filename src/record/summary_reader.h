@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace polargrain {
@@ -11,7 +12,8 @@ namespace polargrain {
 struct StoredSummary {
     std::string engine;
     std::uint64_t seed = 0;
-    bool completed = true;  ///< false: interrupted before its duration was over
+    bool completed = true;        ///< false: interrupted before its duration was over
+    std::optional<bool> at_rest;  ///< when the grains had settled before time zero; none: not asked for, or not told
     std::int64_t steps = 0;
     double time_step = 0.0;          ///< [s]
     double simulated_seconds = 0.0;  ///< [s]

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <fstream>
 #include <system_error>
 #include <vector>
@@ -90,6 +91,34 @@ void TextFile::close() {
 void TextFile::fail(const char* doing) const {
     const std::string reason = std::generic_category().message(errno);
     throw RunError(fmt::format("{}: cannot {} the file: {}", path_.string(), doing, reason));
+}
+
+std::string content_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void check_place(const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    constexpr const char* k_remedy = "give another folder with -o";
+    for (const fs::path& name : folder) {
+        require(name.native().size() <= NAME_MAX, "{}: a name of more than {} bytes; {}", folder.string(), NAME_MAX,
+                k_remedy);
+    }
+    // What is absent can be made in the nearest folder above it that is there.
+    for (fs::path place = fs::absolute(folder);; place = place.parent_path()) {
+        std::error_code failed;
+        const fs::file_status there = fs::status(place, failed);
+        if (fs::exists(there)) {
+            require(fs::is_directory(there), "{}: {} is a file; {}", folder.string(), place.string(), k_remedy);
+            require(access(place.c_str(), W_OK | X_OK) == 0, "{}: nothing may be written into {}; {}", folder.string(),
+                    place.string(), k_remedy);
+            return;
+        }
+        require(there.type() == fs::file_type::not_found, "{}: {}; {}", folder.string(), failed.message(), k_remedy);
+        require(!fs::is_symlink(fs::symlink_status(place, failed)), "{}: {} is a link to nothing; {}", folder.string(),
+                place.string(), k_remedy);
+    }
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -52,6 +52,13 @@ private:
 /// the old one, the new one or absent, never half of one.
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
+/// All bytes of a file; none where it is absent or cannot be read.
+std::string content_of(const std::filesystem::path& path);
+
+/// InputError where there can be no folder of that name to write into: a file or a link to nothing stands there or
+/// above it, a name is too long, or what is there may not be written into. Changes nothing.
+void check_place(const std::filesystem::path& folder);
+
 /// Makes the folder and those above it where they are absent. RunError names it where that fails, or where nothing can
 /// be written into it.
 void make_folder(const std::filesystem::path& folder);

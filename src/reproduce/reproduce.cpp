@@ -20,8 +20,8 @@ bool all_finished(const RunStore& store, const std::vector<Piece>& pieces) {
 }  // namespace
 
 void check_reproduce_folder(const fs::path& folder) {
+    check_place(folder);
     if (!fs::exists(folder)) return;
-    require(fs::is_directory(folder), "{}: is a file; give another folder with -o", folder.string());
     require(fs::is_empty(folder) || fs::exists(folder / "runs") || fs::exists(folder / "sections"),
             "{}: holds something else than figures reproduced before; give another folder with -o", folder.string());
 }

@@ -273,6 +273,7 @@ TEST_F(Resume, ThatIsRefusedChangesNothing) {
         const Outcome refused = polargrain({"resume", "run", "--until", "0.012"});
         EXPECT_EQ(refused.exit_code, 2) << name << ": " << refused.out << refused.err;
         EXPECT_THAT(refused.err, HasSubstr(name));
+        EXPECT_THAT(refused.out, testing::Not(HasSubstr("carried on")));
         EXPECT_TRUE(folder("run") == before) << name;
         scratch_.write("run/" + name, whole.at(name));
     };
@@ -303,6 +304,27 @@ TEST_F(Resume, DoesNotBeginAFinishedRunAnewWhereItsCheckpointIsGone) {
     EXPECT_TRUE(folder("run") == before);
     EXPECT_EQ(polargrain({"run", "run/scenario.toml", "-o", "run", "--force"}).exit_code, 0) << "as it says";
     expect_equal_files(scratch_ / "run", before);
+}
+
+TEST_F(Resume, WithOtherThreadsChangesNoByte) {
+    scratch_.write("everything.toml", k_everything);
+    for (const std::string& engine : engines()) {
+        for (const char* name : {"one", "three"}) {
+            ASSERT_EQ(polargrain({"run", "everything.toml", "-o", name, "--engine", engine, "--set",
+                                  "run.duration=0.006", "--force"})
+                          .exit_code,
+                      0);
+        }
+        ASSERT_EQ(polargrain({"resume", "one", "--until", "0.012"}).exit_code, 0);
+        const Outcome resumed = polargrain({"resume", "three", "--until", "0.012", "--threads", "3"});
+        ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+        auto expected = folder("one");
+        nlohmann::json summary = nlohmann::json::parse(expected.at("summary.json"));
+        summary["threads"] = 3;
+        expected["summary.json"] = summary.dump();
+        expect_equal_files(scratch_ / "three", expected);
+    }
+    EXPECT_EQ(polargrain({"resume", "one", "--threads", "0"}).exit_code, 2);
 }
 
 TEST_F(Resume, LeavesARunInProgressAlone) {

@@ -132,8 +132,11 @@ TEST_F(Sweep, ThatReplacesAnotherGoesOnWithoutForceAfterCtrlC) {
     RunningProgram program({"sweep", "slow.toml", "-o", "swept", "--force"}, scratch_.path());
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     const fs::path first = scratch_ / "swept" / "runs" / "0000";
-    while ((!fs::exists(first / "checkpoint.h5") || fs::exists(first / "summary.json")) &&
-           std::chrono::steady_clock::now() < give_up) {
+    const auto begun = [&] {  // anew: the scenario of the old one goes first, and its checkpoint last
+        return fs::exists(first / "scenario.toml") && !fs::exists(first / "summary.json") &&
+               fs::exists(first / "checkpoint.h5");
+    };
+    while (!begun() && std::chrono::steady_clock::now() < give_up) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     program.send_to_all(SIGINT);
@@ -201,11 +204,46 @@ TEST_F(Sweep, SaysWhatIsWrongInItsFile) {
                 HasSubstr("wrong.toml:3:26: unknown key materials.stone.densty"));
     EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nengines = [\"box3d\"]\n"),
                 HasSubstr("wrong.toml:2:12: run.engine"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nseeds = [1, 2, 1]\n"),
+                HasSubstr("wrong.toml:2:16: seeds: 1 stands there twice"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\nengines = [\"dem\", \"dem\"]\n"),
+                HasSubstr("\"dem\" stands there"));
+    EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[set]\nrun.duration = 1.0\n[vary]\n\"run.duration\" = [1.0]\n"),
+                HasSubstr("wrong.toml:5:18: run.duration: stands in [set] too"));
     EXPECT_EQ(polargrain({"sweep", "none.toml"}).exit_code, 2);
     fs::create_directories(scratch_ / "folder");
     const Outcome folder = polargrain({"sweep", "folder"});
     EXPECT_EQ(folder.exit_code, 2);
     EXPECT_THAT(folder.err, HasSubstr("is a folder"));
+}
+
+TEST_F(Sweep, NamesTheCombinationThatCannotBeRun) {
+    // Each value is right by itself; large disks in narrow rows overlap.
+    const std::string refusal = refusal_of(
+        "scenario = \"three.toml\"\nseeds = [7]\n[vary]\nshapes.disk.radius = [0.01, 0.02]\n"
+        "\"rows[0].step\" = [[0.05, 0.0], [0.025, 0.0]]\n\"rows[0].start\" = [[0.0, 0.03]]\n");
+    EXPECT_THAT(refusal, HasSubstr("overlap"));
+    EXPECT_THAT(refusal, HasSubstr("rows[0].start=[0.0, 0.03], rows[0].step=[0.025, 0.0], shapes.disk.radius=0.02, "
+                                   "run.seed=7"));
+}
+
+TEST_F(Sweep, DoesNotTakeAFolderWithATableOfSomethingElse) {
+    fs::create_directories(scratch_ / "mine");
+    scratch_.write("mine/table.csv", "mine");
+    const Outcome refused = polargrain({"sweep", "sweep.toml", "-o", "mine", "--force"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("there is no sweep in the folder, but table.csv"));
+    EXPECT_EQ(read_file(scratch_ / "mine" / "table.csv"), "mine");
+}
+
+TEST_F(Sweep, TellsWhichRunsHadNotComeToRest) {
+    scratch_.write("three.toml", k_three_disks + "[settle]\nat_most = 1e-3\n");
+    const Outcome outcome = polargrain({"sweep", "sweep.toml", "-o", "swept", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("the grains of 8 of 8 runs were not yet at rest"));
+    const std::vector<std::string> rows = lines_of(read_file(scratch_ / "swept" / "table.csv"));
+    EXPECT_THAT(rows[0], HasSubstr(",state_hash,settled,"));
+    EXPECT_THAT(rows[1], HasSubstr(",no,"));
 }
 
 }  // namespace

@@ -72,6 +72,13 @@ TEST_F(Verify, KeepsRunsOfSeveralSeedsAndTheirTable) {
     EXPECT_THAT(again.err, HasSubstr("--force"));
 }
 
+TEST_F(Verify, TellsWhereGrainsHadNotComeToRest) {
+    scratch_.write("three.toml", with_band("min = 9.0\nmax = 12.0") + "\n[settle]\nat_most = 1e-3\n");
+    const Outcome outcome = verify({"three.toml", "--seeds", "2", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("  note: the grains of 2 of 2 runs were not yet at rest at time zero"));
+}
+
 // Disks of random sizes: the diameter that lengths are counted in is another for each seed.
 TEST_F(Verify, CountsEverySeedInItsOwnUnits) {
     scratch_.write("sizes.toml", R"(

@@ -51,13 +51,21 @@ TEST(PotentialOverHexagonal, OfATallSquareLatticeIsItsHeightOverTheHexagonal) {
     EXPECT_NEAR(potential_over_hexagonal(scene, scene.grains), 10.0 * k_rows * 0.02 * k_rows / 2.0 / least, 1e-12);
 }
 
+/// Makes dominoes of the grains of a scene.
+void make_dominoes(Scene& scene) {
+    const std::vector<Vec2> outline = {{-0.003, -0.015}, {0.003, -0.015}, {0.003, 0.015}, {-0.003, 0.015}};
+    scene.shapes.at(0) = std::make_shared<const Shape>(
+        PolarPolygon("domino", outline, MassProperties{0.006 * 0.03, Vec2::Zero(), 1e-8}));
+}
+
 TEST(TopplingMeter, MeasuresAWaveOfKnownSpeed) {
-    // Ten disks 0.05 m apart, centres 0.02 m above the lowest point, toppled by a wave of 1.5 m/s.
+    // Ten dominoes 0.05 m apart, centres 0.02 m above the lowest point, toppled by a wave of 1.5 m/s.
     Scene scene = square_lattice(1);
     for (std::size_t k = 0; k < 10; ++k) {
         scene.grains.x[k] = 0.05 * static_cast<double>(k);
         scene.grains.y[k] = 0.02;
     }
+    make_dominoes(scene);
     TopplingMeter meter(scene);
     EXPECT_TRUE(std::isnan(meter.speed()));
     World world = initial_world(scene);
@@ -78,6 +86,7 @@ TopplingMeter after_a_wave(int slow, bool leftwards, const TopplingMeter::Measur
     Scene scene = disks_at(std::vector<Vec2>(count, Vec2(0.0, 0.02)));
     add_open_box(scene, 2.0, 1.0);
     for (int k = 0; k < count; ++k) scene.grains.x[static_cast<std::size_t>(k)] = 0.05 * k;
+    make_dominoes(scene);
     TopplingMeter meter(scene, measure);
     World world = initial_world(scene);
     for (int k = 0; k < count; ++k) {
@@ -86,6 +95,24 @@ TopplingMeter after_a_wave(int slow, bool leftwards, const TopplingMeter::Measur
         meter.step(world, 0.0, {});
     }
     return meter;
+}
+
+TEST(TopplingMeter, HasNoSpeedForGrainsThatAreNoDominoesInARow) {
+    for (const bool rolling : {true, false}) {
+        Scene scene = square_lattice(1);
+        if (!rolling) {
+            make_dominoes(scene);
+            scene.grains.y[4] *= 1.3;  // lies on others
+        }
+        TopplingMeter meter(scene);
+        World world = initial_world(scene);
+        for (double& angle : world.grains.angle) {
+            world.time += 0.03;
+            angle = -0.5;
+            meter.step(world, 0.0, {});
+        }
+        EXPECT_TRUE(std::isnan(meter.speed())) << (rolling ? "disks" : "a heap");
+    }
 }
 
 TEST(TopplingMeter, CountsTheDominoesThatToppleBeforeTheWaveIsSteady) {

@@ -54,6 +54,15 @@ TEST(AreaFraction, FollowsTheOutlineOfPolygons) {
     EXPECT_NEAR(area_fraction(scene, scene.grains), filled / (0.04 * 0.01), 0.01);
 }
 
+TEST(AreaFraction, TakesNoLongerBetweenWallsThatAreFarApart) {
+    // Two disks that touch and one 1000 km away, 6e9 lines from wall to wall.
+    Scene scene = square_lattice(0);
+    scene.walls[0].points = {{-1e6, 0.0}, {1e6, 0.0}};
+    for (const double x : {-9.0, -8.98, 999999.0}) scene.add(Grain{0, 0, {x, 0.01}});
+    EXPECT_NEAR(*area_under_tops(scene, scene.grains), 3.0 * (0.02 * 0.01 + 0.5 * k_pi * 1e-4), 1e-6);
+    EXPECT_NEAR(surface_slope(scene, scene.grains, {}), 0.0, 1e-12);
+}
+
 TEST(AreaFraction, IsTurnedWithGravity) {
     Scene scene = square_lattice(3);
     scene.gravity = {0.0, 9.81};

@@ -84,10 +84,18 @@ TEST(Observe, IsRefusedWithTheRemedy) {
     EXPECT_THAT(complaint(observe("\"area_fraction\"")), HasSubstr("must be a list"));
     EXPECT_THAT(complaint(observe("[3]")), HasSubstr("output.observe[0] is a number, must be a name or a table"));
     EXPECT_THAT(complaint(observe("[\"area_fractoin\"]")), HasSubstr("did you mean \"area_fraction\"?"));
-    EXPECT_THAT(complaint(observe("[\"grains_out\", \"grains_out\"]")), HasSubstr("a label of its own"));
+    EXPECT_THAT(complaint(observe("[\"grains_out\"]")), HasSubstr("a column \"grains_out\" already"));
+    EXPECT_THAT(complaint(observe("[\"area_fraction\", \"area_fraction\"]")), HasSubstr("a label of its own"));
     EXPECT_THAT(complaint(observe("[{ quantity = \"grains_out\", labl = \"x\" }]")),
                 HasSubstr("did you mean \"label\"?"));
     EXPECT_THAT(complaint(observe("[{ quantity = \"grains_out\", label = \"a b\" }]")), HasSubstr("letters, digits"));
+}
+
+TEST(Observe, LabelsThatAreColumnsOfEveryRunAreRefused) {
+    for (const std::string label : {"time", "energy_stored", "wall_floor_fx"}) {
+        EXPECT_THAT(complaint(observe("[{ quantity = \"area_fraction\", label = \"" + label + "\" }]")),
+                    HasSubstr("output.observe[0]: series.csv has a column \"" + label + "\" already"));
+    }
 }
 
 }  // namespace

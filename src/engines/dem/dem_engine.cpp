@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "src/engines/dem/integrators.h"
 #include "src/engines/dem/soft_ledger.h"
@@ -30,6 +32,9 @@ public:
           longest_part_(system_.longest_step()) {}
 
     std::string_view name() const override { return "dem"; }
+    std::vector<std::string> notes() const override {
+        return {"contacts last for many steps and are not impacts one by one: impacts.csv would stay empty"};
+    }
     double suggested_dt() const override { return critical_time_step(scene_); }
     double parts_of_step(double dt) const override { return std::max(1.0, std::ceil(dt / longest_part_ - 1e-9)); }
 
