@@ -292,6 +292,16 @@ TEST(DiskInACorner, ReboundsFromEachFaceAsFromThatFaceAlone) {
     }
 }
 
+TEST(Notes, WarnOfFacesThatStiffenWithoutLimit) {
+    const Scene scene = testing::pour(testing::PourShape::rough, 4, 1, 0.5, 0.5, 2);
+    DemSettings settings;
+    const std::size_t usual = make_dem(scene, settings)->notes().size();
+    settings.area_exponent = 1.5;
+    EXPECT_EQ(make_dem(scene, settings)->notes().size(), usual + 1);
+    settings.polygons = PolygonContact::potential;
+    EXPECT_EQ(make_dem(scene, settings)->notes().size(), usual);
+}
+
 TEST(Laws, ForDisksAreRefusedWherePolygonsAre) {
     Scene scene = testing::empty_scene(0.3, 0.3);
     scene.add(Grain{testing::add_rectangle(scene, 0.02, 0.02), 0, {0.0, 0.01}});

@@ -29,11 +29,19 @@ public:
         : scene_(scene),
           system_(scene, settings),
           integrator_(make_integrator(settings.integrator)),
-          longest_part_(system_.longest_step()) {}
+          longest_part_(system_.longest_step()),
+          stiffest_when_light_(settings.polygons == PolygonContact::area && settings.area_exponent < 2.0) {}
 
     std::string_view name() const override { return "dem"; }
     std::vector<std::string> notes() const override {
-        return {"contacts last for many steps and are not impacts one by one: impacts.csv would stay empty"};
+        std::vector<std::string> all{
+            "contacts last for many steps and are not impacts one by one: impacts.csv would stay empty"};
+        if (stiffest_when_light_) {
+            all.emplace_back(
+                "dem.area_exponent is below 2: lightly pressed faces are stiffer than steps allow for, without limit; "
+                "look at energy_created");
+        }
+        return all;
     }
     double suggested_dt() const override { return critical_time_step(scene_); }
     double parts_of_step(double dt) const override { return std::max(1.0, std::ceil(dt / longest_part_ - 1e-9)); }
@@ -209,7 +217,8 @@ private:
     const Scene& scene_;
     SoftSystem system_;
     Integrator integrator_;
-    double longest_part_;  ///< [s]
+    double longest_part_;       ///< [s]
+    bool stiffest_when_light_;  ///< of two polygons' faces, or one's on a wall
     SchemeState state_;
     std::vector<SoftContact> ended_;       ///< in the step at hand
     std::vector<PairSorter::Pair> pairs_;  ///< of the contacts, under the scene's numbers
