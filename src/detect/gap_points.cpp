@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "src/detect/facing.h"
 #include "src/detect/gap_reduction.h"
@@ -330,6 +331,15 @@ Side side_of(const OverPiece& now, const OverPiece& before, double home_side, do
     return {through ? was : now.height, through};
 }
 
+/// The side of the piece on which p is, over the piece or where its line bounds the free space past an end; none
+/// elsewhere.
+std::optional<Side> side_before(const GapPiece& piece, const Vec2& p, const OverPiece& now, const OverPiece& before,
+                                double home_side, double radius, bool overrun) {
+    if (now.within()) return side_of(now, before, home_side, radius, overrun);
+    if (piece.bounds_past_end(p)) return Side{now.height, false};
+    return {};
+}
+
 /// Can a point that stands on a side of the chain (+1 left) get round its end or joint?
 bool bounds(Joint joint, double side) {
     switch (joint) {
@@ -350,18 +360,17 @@ void wall_vertex_points(const PolarPolygon& grain, const Pose& pose, const Pose&
         const Vec2 p = pose.to_world(grain.vertex(k));
         const OverPiece now = line.over(p);
         if (std::abs(now.height) > rules.margin + grain.outer_radius()) continue;
-        if (!now.within() && !piece.bounds_past_end(p)) continue;
-        const Side side = now.within() ? side_of(now, line_before.over(pose_before.to_world(grain.vertex(k))), home,
-                                                 grain.outer_radius(), overrun)
-                                       : Side{now.height, false};
-        const double gap = side.through ? -std::abs(now.height) : std::abs(now.height);
+        const auto side = side_before(piece, p, now, line_before.over(pose_before.to_world(grain.vertex(k))), home,
+                                      grain.outer_radius(), overrun);
+        if (!side) continue;
+        const double gap = side->through ? -std::abs(now.height) : std::abs(now.height);
         if (gap > rules.margin) continue;
-        const Vec2 normal = side.sign > 0.0 ? line.left : Vec2(-line.left);
+        const Vec2 normal = side->sign > 0.0 ? line.left : Vec2(-line.left);
         const Approach approach{p, pose.turned(grain.vertex(grain.previous(k)) - grain.vertex(k)),
                                 pose.turned(grain.vertex(grain.next(k)) - grain.vertex(k))};
         if (gap >= 0.0 && neighbour_behind(approach, normal, gap)) continue;
         GapPoint point{p, normal, gap, 0.0, 0.0, k, 0, true};
-        set_range(point, piece.now.a, bounds(piece.at_a, side.sign), piece.now.b, bounds(piece.at_b, side.sign),
+        set_range(point, piece.now.a, bounds(piece.at_a, side->sign), piece.now.b, bounds(piece.at_b, side->sign),
                   rules.resting);
         points.push_back(point);
     }
@@ -411,16 +420,11 @@ void wall_points(const Disk& disk, const Pose& pose, const Pose& pose_before, co
     const auto add = [&](const Vec2& at, const Vec2& normal, double gap, int which) {
         if (gap <= rules.margin) points.push_back({at, normal, gap, -k_unbounded, k_unbounded, -1, which, true});
     };
-    if (now.within()) {
-        const Side side = side_of(now, PieceLine(piece.before).over(pose_before.centre), 1.0, disk.radius(), overrun);
-        const Vec2 normal = side.sign > 0.0 ? line.left : Vec2(-line.left);
-        const double height = side.through ? -std::abs(now.height) : std::abs(now.height);
-        add(pose.centre - height * normal, normal, height - disk.radius(), 0);
-        return;
-    }
-    if (piece.bounds_past_end(pose.centre)) {
-        const double height = std::abs(now.height);
-        const Vec2 normal = now.height > 0.0 ? line.left : Vec2(-line.left);
+    const auto side = side_before(piece, pose.centre, now, PieceLine(piece.before).over(pose_before.centre), 1.0,
+                                  disk.radius(), overrun);
+    if (side) {
+        const Vec2 normal = side->sign > 0.0 ? line.left : Vec2(-line.left);
+        const double height = side->through ? -std::abs(now.height) : std::abs(now.height);
         add(pose.centre - height * normal, normal, height - disk.radius(), 0);
         return;
     }

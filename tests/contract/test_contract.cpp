@@ -49,19 +49,14 @@ TEST_P(EveryEngine, KeepsMomentumWhereNothingActsFromOutside) {
         scene.grains.set_velocity(k, 5.0 * (middle - scene.grains.position(k)) + scene.grains.velocity(k));
     }
     Running sim(GetParam().make, scene);
-    const auto momentum = [](const Grains& g) {
-        Vec2 sum = Vec2::Zero();
-        for (GrainIndex k = 0; k < g.size(); ++k) sum += g.mass[Grains::at(k)] * g.velocity(k);
-        return sum;
-    };
     double scale = 0.0;
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) {
         scale += scene.grains.mass[Grains::at(k)] * std::sqrt(scene.grains.velocity(k).squaredNorm());
     }
-    const Vec2 before = momentum(sim.world.grains);
+    const Vec2 before = testing::momentum(sim.world.grains);
     sim.run(0.25, dt());
     EXPECT_GT(sim.impacts, 20);
-    EXPECT_LT((momentum(sim.world.grains) - before).norm(), GetParam().free_flight * scale);
+    EXPECT_LT((testing::momentum(sim.world.grains) - before).norm(), GetParam().free_flight * scale);
 }
 
 TEST_P(EveryEngine, ReturnsTheShareOfSpeedThatRestitutionSays) {

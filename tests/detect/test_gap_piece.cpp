@@ -18,12 +18,12 @@ std::vector<GapPiece> pieces_of(const std::vector<Vec2>& chain, bool closed) {
         if (k > 0 || closed) pieces[k].previous = &pieces[(k + count - 1) % count];
         if (k + 1 < count || closed) pieces[k].next = &pieces[(k + 1) % count];
     }
-    for (GapPiece& piece : pieces) {
-        if (piece.next == nullptr) continue;
-        const double turn = cross(piece.now.b - piece.now.a, piece.next->now.b - piece.next->now.a);
-        const Joint joint = turn > 1e-12 ? Joint::left_turn : turn < -1e-12 ? Joint::right_turn : Joint::straight;
-        piece.at_b = joint;
-        const_cast<GapPiece*>(piece.next)->at_a = joint;
+    for (std::size_t k = 0; k + 1 < count + (closed ? 1 : 0); ++k) {
+        GapPiece& piece = pieces[k];
+        GapPiece& next = pieces[(k + 1) % count];
+        const double turn = cross(piece.now.b - piece.now.a, next.now.b - next.now.a);
+        piece.at_b = turn > 1e-12 ? Joint::left_turn : turn < -1e-12 ? Joint::right_turn : Joint::straight;
+        next.at_a = piece.at_b;
     }
     return pieces;
 }

@@ -6,6 +6,7 @@
 #include "src/engines/contact/contact_1994.h"
 #include "src/engines/contact/motion_update.h"
 #include "src/engines/contact/trial_check.h"
+#include "tests/support/running.h"
 #include "tests/support/scenes.h"
 
 namespace polargrain {
@@ -157,18 +158,12 @@ TEST(Contact1994, MomentumIsKeptWithoutWallsAndGravity) {
         scene.grains.set_velocity(k, (middle - scene.grains.position(k)) * 3.0);
     }
     Running sim(scene);
-    const auto momentum = [&] {
-        Vec2 sum = Vec2::Zero();
-        for (GrainIndex k = 0; k < sim.world.grains.size(); ++k) {
-            sum += sim.world.grains.mass[Grains::at(k)] * sim.world.grains.velocity(k);
-        }
-        return sum;
-    };
-    const Vec2 before = momentum();
+    const Vec2 before = testing::momentum(sim.world.grains);
     std::int64_t impacts = 0;
     sim.run(0.5, 5e-4, [&] { impacts += sim.report.impacts; });
     EXPECT_GT(impacts, 100);
-    EXPECT_NEAR((momentum() - before).norm(), 0.0, 1e-12 * sim.world.grains.mass[0] * 60 * 3.0);
+    EXPECT_NEAR((testing::momentum(sim.world.grains) - before).norm(), 0.0,
+                1e-12 * sim.world.grains.mass[0] * 60 * 3.0);
 }
 
 // --- single bodies ---

@@ -20,6 +20,13 @@ void BlowSolver::begin(const std::vector<GapContact>& contacts, const std::vecto
     step_ = step;
 }
 
+bool BlowSolver::meets(std::int32_t k, double speed, double h) const {
+    const GapContact& c = contact(k);
+    // Gravity pulls both grains of a pair alike; against a wall it closes the gap as well.
+    const double pull = is_wall(c.j) ? std::max(0.0, -scene_.gravity.dot(c.normal)) * h : 0.0;
+    return lanes_->open(static_cast<std::size_t>(k)) < (speed + pull) * h;
+}
+
 /// Both bodies of an impact after it, free or on their feet.
 struct BlowSolver::Answer {
     Footing i, j;
@@ -62,7 +69,7 @@ bool BlowSolver::lands_with(const GapContact& struck, std::int32_t other, double
     const GapContact& c = contact(other);
     if (c.i != struck.i || c.j != struck.j || !c.active || c.normal.dot(struck.normal) < k_parallel) return false;
     const double closing = -normal_speed(c, *bodies_);
-    return std::abs(closing - speed) <= k_flat * speed && lanes_->open(static_cast<std::size_t>(other)) < closing * h;
+    return std::abs(closing - speed) <= k_flat * speed && meets(other, closing, h);
 }
 
 /// The ends of the face that lands flat with the contact: those of the contacts that meet with it which are farthest

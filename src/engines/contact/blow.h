@@ -50,6 +50,9 @@ public:
     void begin(const std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies, const Halfway& halfway,
                const ContactLanes& lanes, const ByGrain& by_grain, std::int64_t step);
 
+    /// Is the gap of a contact that closes at `speed` [m/s] closed within a sub-step of length h [s]?
+    bool meets(std::int32_t contact, double speed, double h) const;
+
     /// The impact of a contact that closes at `speed` [m/s] in a sub-step of length h [s]. Changes nothing; may run on
     /// several threads.
     Blow solve(std::int32_t contact, double speed, double h) const;

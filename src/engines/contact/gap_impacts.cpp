@@ -68,9 +68,7 @@ void GapImpacts::look_at(std::int32_t contact, double h, std::vector<Strike>& fo
     if (!c.active) return;
     const double speed = -normal_speed(c, *now_.bodies);
     if (speed <= impact_speed_) return;
-    // Gravity pulls both grains of a pair alike; against a wall it closes the gap as well.
-    const double pull = is_wall(c.j) ? std::max(0.0, -scene_.gravity.dot(c.normal)) * h : 0.0;
-    if (now_.lanes->open(at(contact)) < (speed + pull) * h) found.push_back({speed, contact, c.i, c.j});
+    if (blow_solver_.meets(contact, speed, h)) found.push_back({speed, contact, c.i, c.j});
 }
 
 /// Adds those of the candidates that strike.

@@ -15,6 +15,8 @@ namespace polargrain {
 class GapWalls {
 public:
     explicit GapWalls(const Scene& scene);
+    GapWalls(const GapWalls&) = delete;  // pieces point to their neighbours
+    GapWalls& operator=(const GapWalls&) = delete;
 
     /// Puts pieces where they are at a time [s], and remembers where they were at another.
     void place(double time_before, double time_now);
