@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using h5::Handle;
 
-constexpr int k_format = 3;
+constexpr int k_format = 4;
 constexpr std::size_t k_head_bytes = 512;
 constexpr std::string_view k_first_line = "polargrain checkpoint\n";
 

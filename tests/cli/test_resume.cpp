@@ -235,8 +235,8 @@ TEST_F(Resume, RefusesWhatIsNoRunFolderOrHasADamagedCheckpoint) {
     } cases[] = {{good.substr(0, good.size() / 2), "damaged or cut short"},
                  {good + "x", "damaged or cut short"},
                  {"something else", "not a checkpoint that polargrain wrote"},
-                 {replaced(good, "format 3\n", "format 9\n"), "a newer polargrain"},
-                 {replaced(good, "format 3\n", "format 1\n"), "the older polargrain"}};
+                 {replaced(good, "format 4\n", "format 9\n"), "a newer polargrain"},
+                 {replaced(good, "format 4\n", "format 1\n"), "the older polargrain"}};
     for (const auto& [content, says] : cases) {
         scratch_.write("run/checkpoint.h5", content);
         const Outcome refused = polargrain({"resume", "run"});

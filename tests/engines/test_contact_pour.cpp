@@ -73,12 +73,12 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Pour,
 
 /// Locked forces wane slowly in sweeps; a bed held still by them would not bear its weight.
 TEST(FullRows, OfSmoothDisksComeToRestWithTheirWeightOnTheFloor) {
-    for (const std::uint64_t seed : {2, 3, 4, 14}) {
+    for (const std::uint64_t seed : {2, 6, 7, 9}) {  // 6, 7, 9: rows so flat that sweeps alone lock them
         ScenarioOverrides overrides;
         overrides.seed = seed;
         Running sim(make_contact, load_scenario(find_scenario("pour-500-disks"), overrides).scene);
         const double dt = 1e-3;
-        sim.run(3.0, dt);
+        sim.run(2.0, dt);
         const double floor_force = -sim.wall_force(0, dt).y() / sim.weight();
         fmt::print("seed {}: floor force / weight - 1 {:.2g} (< 1e-6), KE {:.2g} m g d (< 1e-9), rises {:.2g} E0\n",
                    seed, floor_force - 1.0, sim.restlessness(k_diameter), sim.ledger.rises / sim.start_energy);
@@ -86,6 +86,28 @@ TEST(FullRows, OfSmoothDisksComeToRestWithTheirWeightOnTheFloor) {
         EXPECT_LT(sim.restlessness(k_diameter), 1e-9);
         EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
     }
+}
+
+/// How a bed creeps is part of its state.
+TEST(FullRows, ThatCreepGoOnFromACheckpointWithTheSameBits) {
+    ScenarioOverrides overrides;
+    overrides.seed = 7;
+    Running whole(make_contact, load_scenario(find_scenario("pour-500-disks"), overrides).scene);
+    const double dt = 1e-3;
+    Checkpoint checkpoint;
+    const auto creeps = [&] {
+        whole.engine->save(checkpoint);
+        return checkpoint.integers("contact/state").back() != 0;
+    };
+    while (whole.world.time < 2.0 && !creeps()) whole.step(dt);
+    ASSERT_LT(whole.world.time, 2.0);
+    Running resumed(make_contact, whole.scene);
+    resumed.world = whole.world;
+    resumed.engine->load(checkpoint);
+    const double later = whole.world.time + 0.1;
+    whole.run(later, dt);
+    resumed.run(later, dt);
+    EXPECT_EQ(state_hash(whole.world), state_hash(resumed.world));
 }
 
 /// Rows of disks that fill the box exactly leave no room for resting gaps.

@@ -97,7 +97,7 @@ TEST(CheckpointFile, SaysWhatIsWrong) {
 
     write_checkpoint(folder / "good.h5", some_checkpoint());
     std::string text = content(folder / "good.h5");
-    text.replace(text.find("format 3"), 8, "format 7");
+    text.replace(text.find("format 4"), 8, "format 7");
     write_text(folder / "newer.h5", text);
     EXPECT_THAT(message_of_reading(folder / "newer.h5"), HasSubstr("a newer polargrain"));
     text = content(folder / "good.h5");

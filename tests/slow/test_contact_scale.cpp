@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/reader.h"
 #include "src/engines/contact/contact_engine.h"
 #include "tests/support/running.h"
 #include "tests/support/scenes.h"
@@ -101,6 +102,23 @@ TEST_P(FiveHundred, ComeToRestWithinTwoSeconds) {
 
 INSTANTIATE_TEST_SUITE_P(Library, FiveHundred, ::testing::ValuesIn(testing::shipped_outlines()),
                          [](const auto& c) { return testing::test_name(c.param); });
+
+/// Rows of smooth disks that fill the box exactly, pressed all but flat, hold forces of many times their weight.
+TEST(FullRows, OfSixteenBedsOfSmoothDisksLieOnTheFloorWithTheirWeight) {
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+        ScenarioOverrides overrides;
+        overrides.seed = seed;
+        Running sim(make_contact, load_scenario(find_scenario("pour-500-disks"), overrides).scene);
+        const double dt = 1e-3;
+        sim.run(3.0, dt);
+        const double excess = -sim.wall_force(0, dt).y() / sim.weight() - 1.0;
+        fmt::print("seed {}: floor force / weight - 1 {:.2g} (< 1e-6), rejected {:.5f} %, rises {:.2g} E0\n", seed,
+                   excess, 100.0 * sim.rejected_share(), sim.ledger.rises / sim.start_energy);
+        EXPECT_LT(std::abs(excess), 1e-6);
+        EXPECT_LT(sim.rejected_share(), 1e-3);
+        EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
+    }
+}
 
 }  // namespace
 }  // namespace polargrain

@@ -68,7 +68,8 @@ private:
     // a third of the steps between: they are more where there are more contacts, as that costs more than they do.
     static constexpr std::int64_t k_steps_alone = 32;
     static constexpr std::int64_t k_share = 32;
-    static constexpr std::size_t k_run = 1024;  ///< grains or contacts that a thread takes at a time
+    static constexpr std::size_t k_most_creeping = 8192;  ///< contacts: a step solved as a whole costs that of thirty
+    static constexpr std::size_t k_run = 1024;            ///< grains or contacts that a thread takes at a time
 
     /// One step, or a part of one: where repair leaves an overlap, everything is taken back and done again in two
     /// halves, as what it could not foresee grows with the square of dt. Only parts of dt / 2^k_most_halvings reject.
@@ -81,16 +82,21 @@ private:
         trial_.angle = before_.angle;
         solver_.advance(contacts_, bodies_, before_, trial_, step, time, dt, effort(halvings, step), report);
         correct_positions(energy_before, dt, report);
+        creeping_ = solver_.creeps() && contacts_.size() <= k_most_creeping;
         refresh_trial();
         detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
         repair(dt, report);
         if (overlapping_ > 0 && halvings < k_most_halvings) {
             take_back(report);
+            // First guesses are impulses of a sub-step: of the same force, a shorter one takes less. A bed at rest that
+            // had halved its steps once would otherwise begin each full step with a fraction of its forces, sink,
+            // overlap, and halve again. (In a collapse forces do not last, and larger guesses only make grains
+            // overlap.)
             const double part = settling(dt) ? 0.5 : 1.0;
-            scale_guesses(part);
+            scale_impulses(contacts_, part);
             advance(step, time, 0.5 * dt, halvings + 1, report);
             advance(step, time + 0.5 * dt, 0.5 * dt, halvings + 1, report);
-            scale_guesses(1.0 / part);
+            scale_impulses(contacts_, 1.0 / part);
             return;
         }
         reject(report);
@@ -164,22 +170,17 @@ private:
         return kinetic < most;
     }
 
-    /// First guesses are impulses of a sub-step: of the same force, a shorter one takes less. A bed at rest that had
-    /// halved its steps once would otherwise begin each full step with a fraction of its forces, sink, overlap, and
-    /// halve again. (In a collapse forces do not last, and larger guesses only make grains overlap.)
-    void scale_guesses(double factor) {
-        for (GapContact& c : contacts_) {
-            c.normal_impulse *= factor;
-            c.tangent_impulse *= factor;
-        }
-    }
-
     /// Parts of a failed step are solved twice as hard with every halving: rows that press against walls need it.
-    SweepEffort effort(int halvings, std::int64_t step) const {
-        if (halvings > 0) return {GapSolver::k_usual.sweeps << halvings, GapSolver::k_usual.settled, true};
+    StepEffort effort(int halvings, std::int64_t step) const {
+        if (creeping_) return GapSolver::k_creeping;
+        if (halvings > 0) {
+            StepEffort harder = GapSolver::k_usual;
+            harder.sweeps.sweeps <<= halvings;
+            return harder;
+        }
         if (careful_ > 0) return GapSolver::k_careful;
         if (!at_rest_) return GapSolver::k_usual;
-        SweepEffort resting = GapSolver::k_at_rest;
+        StepEffort resting = GapSolver::k_at_rest;
         resting.together = step % std::max(k_steps_alone, static_cast<std::int64_t>(contacts_.size()) / k_share) == 0;
         return resting;
     }
@@ -252,6 +253,7 @@ private:
     /// bodies that start without any gap between them could otherwise never get their resting gaps. That little is
     /// granted to the guard and stands in the ledger as correction.
     void correct_positions(double energy_before, double dt, StepReport& report) {
+        if (at_rest_ || creeping_) return;
         const double dissipated = std::max(0.0, energy_before + wall_work(report) - energy_at(trial_));
         const double grant = std::min(k_opening * opening_unit_, opening_left_);
         const double lift = correction_.correct(contacts_, bodies_, scene_.gravity, {dt, PositionCorrection::k_still},
@@ -375,6 +377,7 @@ private:
     std::vector<PairContacts> pairs_;
     bool detected_ = false;
     int careful_ = 0;
+    bool creeping_ = false;      ///< at rest a few steps ago, set out slowly, and neither held nor fast since
     bool at_rest_ = false;       ///< no grain had any velocity when the step began
     double granted_ = 0.0;       ///< energy that this step's correction may add without paying [J/m]
     double repair_lift_ = 0.0;   ///< energy that this step's repair has added [J/m]
@@ -408,8 +411,8 @@ void ContactEngine::save(Checkpoint& checkpoint) const {
                                    c.tangent_impulse, c.low, c.high});
     }
     for (const PairContacts& p : pairs_) pairs.insert(pairs.end(), {p.i, p.j, p.piece, p.first, p.count});
-    checkpoint.put("contact/state",
-                   std::vector<std::int64_t>{detected_ ? 1 : 0, careful_, detection_.began_clean() ? 1 : 0});
+    checkpoint.put("contact/state", std::vector<std::int64_t>{detected_ ? 1 : 0, careful_,
+                                                              detection_.began_clean() ? 1 : 0, creeping_ ? 1 : 0});
     checkpoint.put("contact/opening", std::vector<double>{opening_left_});
     checkpoint.put("contact/integers", std::move(integers));
     checkpoint.put("contact/reals", std::move(reals));
@@ -425,6 +428,7 @@ void ContactEngine::load(const Checkpoint& checkpoint) {
     detected_ = state.at(0) != 0;
     careful_ = static_cast<int>(state.at(1));
     stillness_.forget();
+    creeping_ = state.at(3) != 0;
     if (state.at(2) != 0) detection_.begin_clean();
     contacts_.clear();
     pairs_.clear();

@@ -17,8 +17,6 @@ struct SweepEffort {
     /// A sweep back ends with the strips and the next one begins with them: a strip that has changed gets both while it
     /// is in the cache. Not where a bed is at rest: its last digits settle worse.
     bool in_pairs;
-    /// Where the sweeps of the first sub-step do not settle, all impulses are found together. For beds at rest.
-    bool together = false;
 };
 
 /// The contacts of a step in blocks of eight that share no grain, for the solver's loops over all of them.

@@ -57,6 +57,9 @@ std::size_t first_with_wall(const std::vector<GapContact>& contacts);
 void make_contacts(const PairContacts& pair, std::span<const GapPoint> points, double resting,
                    std::span<GapContact> contacts);
 
+/// Multiplies the impulses, first guesses of the next sub-step, by a factor.
+void scale_impulses(std::vector<GapContact>& contacts, double factor);
+
 /// Gives the impulses of a pair's old contacts to its new ones, as first guesses of the solver.
 void take_impulses_over(std::span<GapContact> now, std::span<GapContact> old);
 

@@ -22,10 +22,15 @@ constexpr std::size_t k_run = 1024;
 }  // namespace
 
 void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
-                        PoseSet& trial, std::int64_t step, double time, double dt, const SweepEffort& effort,
+                        PoseSet& trial, std::int64_t step, double time, double dt, const StepEffort& effort,
                         StepReport& report) {
     start_ = &start;
+    creeps_ = false;
+    creep_speed_ = k_creep * dt * std::sqrt(scene_.gravity.squaredNorm());
     halfway_.find(start, bodies, dt);
+    // Between steps, impulses are those of a usual sub-step.
+    const double usual = static_cast<double>(effort.sub_steps) / k_usual.sub_steps;
+    scale_impulses(contacts, 1.0 / usual);
     prepare(contacts, bodies);
     find_moving_walls(contacts);
     grains_ = bodies.size();
@@ -35,8 +40,8 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
     parallel_.each(both.size(), [&](std::size_t k) { both[k](); });
     impacts_.begin({&contacts, &lanes_, &bodies_, &trial, &halfway_, &by_grain_, &report, step, time, dt});
     impacts_.find_all_closing(closing_);
-    const double h = dt / k_sub_steps;
-    for (int s = 0; s < k_sub_steps; ++s) {
+    const double h = dt / effort.sub_steps;
+    for (int s = 0; s < effort.sub_steps; ++s) {
         set_wall_velocities(contacts, time + (s + 0.5) * h);
         impacts_.run(closing_, h);
         lasting(contacts, h, effort, s == 0);
@@ -44,6 +49,7 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
         move(contacts, trial, h, report);
     }
     finish(contacts, bodies, report);
+    scale_impulses(contacts, usual);
 }
 
 void GapSolver::prepare_at_rest(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies,
@@ -110,7 +116,7 @@ void GapSolver::set_wall_velocities(std::vector<GapContact>& contacts, double ti
 
 /// The first guess of the impulses is what they were in the sub-step before; as nothing else has changed, their sum on
 /// a grain is what they gave it then.
-void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const SweepEffort& effort, bool first) {
+void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const StepEffort& effort, bool first) {
     const Vec2 kick = h * scene_.gravity;
     velocity_before_.resize(grains_);
     spin_before_.resize(grains_);
@@ -129,40 +135,53 @@ void GapSolver::lasting(std::vector<GapContact>& contacts, double h, const Sweep
             }
         }
     });
-    const double settled = effort.settled * std::sqrt(kick.squaredNorm());
-    const bool resting = rests(h);
-    if (resting) {
+    if (rests(h)) {
         stop();
     } else {
-        const SweepEffort sweeps{effort.sweeps, settled, effort.in_pairs};
-        const bool done = lanes_.sweep(bodies_, h, sweeps);
-        if (!done && first && effort.together && moving_.empty()) {
-            find_together(contacts, h);
-            lanes_.sweep(bodies_, h, sweeps);
-        }
+        solve(contacts, h, effort, first);
     }
     find_pushed();
 }
 
-/// Of a bed that was at rest. Where there is no answer, what the sweeps have found stays.
-void GapSolver::find_together(std::vector<GapContact>& contacts, double h) {
+void GapSolver::solve(std::vector<GapContact>& contacts, double h, const StepEffort& effort, bool first) {
+    const double kick = h * std::sqrt(scene_.gravity.squaredNorm());
+    const SweepEffort sweeps{effort.sweeps.sweeps, effort.sweeps.settled * kick, effort.sweeps.in_pairs};
+    const bool settles = lanes_.sweep(bodies_, h, sweeps);
+    if (!first || !effort.together || !moving_.empty()) return;
+    const bool found = !settles && find_together(contacts, h);
+    const bool creeping = effort.sub_steps == k_creeping.sub_steps;
+    if (!found && !(creeping && settles)) return;
+    creeps_ = slower_than(creep_speed_);
+    if (slower_than(k_held * kick)) {
+        stop();
+    } else if (found) {
+        lanes_.sweep(bodies_, h, sweeps);
+    }
+}
+
+/// Of a slow bed. Where there is no answer, what the sweeps have found stays.
+bool GapSolver::find_together(std::vector<GapContact>& contacts, double h) {
     const Vec2 kick = h * scene_.gravity;
     std::vector<double> open(contacts.size());
     for (std::size_t k = 0; k < contacts.size(); ++k) open[k] = lanes_.open(k);
     std::vector<double> reach(grains_);
     for (std::size_t k = 0; k < grains_; ++k) reach[k] = outer_radius(scene_.shape_of(static_cast<GrainIndex>(k)));
-    std::vector<Vec2> impulses;
-    if (!find_equilibrium({contacts, open, std::span(bodies_).first(grains_), reach, kick, h}, impulses)) return;
+    std::vector<Vec2> free_velocity(grains_);
+    for (std::size_t k = 0; k < grains_; ++k) free_velocity[k] = velocity_before_[k] + kick;
+    const auto found = find_equilibrium(
+        {contacts, open, std::span(bodies_).first(grains_), reach, free_velocity, spin_before_, kick, h});
+    if (!found) return false;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        contacts[k].normal_impulse = impulses[k].x();
-        contacts[k].tangent_impulse = impulses[k].y();
-        lanes_.set_impulse(k, impulses[k]);
+        contacts[k].normal_impulse = (*found)[k].x();
+        contacts[k].tangent_impulse = (*found)[k].y();
+        lanes_.set_impulse(k, (*found)[k]);
     }
     for (std::size_t k = 0; k < grains_; ++k) {
-        bodies_[k].velocity = kick;
-        bodies_[k].spin = 0.0;
+        bodies_[k].velocity = free_velocity[k];
+        bodies_[k].spin = spin_before_[k];
         push_by_all(contacts, static_cast<GrainIndex>(k));
     }
+    return true;
 }
 
 void GapSolver::find_pushed() {
@@ -184,11 +203,13 @@ void GapSolver::push_by_all(const std::vector<GapContact>& contacts, GrainIndex 
 /// Does the first guess hold every grain in its place? Then it is the solution, and the bed stays still to the last bit
 /// (see Stillness) instead of following round-off for ever.
 bool GapSolver::rests(double h) const {
-    if (!moving_.empty()) return false;
-    const double still = k_still * h * std::sqrt(scene_.gravity.squaredNorm());
+    return moving_.empty() && slower_than(k_still * h * std::sqrt(scene_.gravity.squaredNorm()));
+}
+
+bool GapSolver::slower_than(double speed) const {
     for (std::size_t k = 0; k < grains_; ++k) {
         const double surface = bodies_[k].spin * outer_radius(scene_.shape_of(static_cast<GrainIndex>(k)));
-        if (bodies_[k].velocity.squaredNorm() + surface * surface >= still * still) return false;
+        if (bodies_[k].velocity.squaredNorm() + surface * surface >= speed * speed) return false;
     }
     return true;
 }

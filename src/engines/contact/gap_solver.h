@@ -14,6 +14,14 @@
 
 namespace polargrain {
 
+/// How hard the lasting contacts of a step are solved.
+struct StepEffort {
+    SweepEffort sweeps;
+    /// Where the sweeps of the first sub-step do not settle, all impulses are found together. For slow beds.
+    bool together = false;
+    int sub_steps = 8;
+};
+
 /// Carries velocities and poses through one step in sub-steps, with impacts and lasting contacts.
 ///
 /// A sub-step of length h:
@@ -29,11 +37,14 @@ namespace polargrain {
 /// ballistic way instead.
 class GapSolver {
 public:
-    static constexpr int k_sub_steps = 8;
-    // How hard the lasting contacts are solved in a sub-step; here `settled` is in units of g h.
-    static constexpr SweepEffort k_usual{4, 1e-3, true};
-    static constexpr SweepEffort k_careful{8, 1e-3, true};     ///< where many grains overlap
-    static constexpr SweepEffort k_at_rest{32, 1e-10, false};  ///< where nothing moves: the forces are left to find
+    // Here `settled` is in units of g h.
+    static constexpr StepEffort k_usual{{4, 1e-3, true}};
+    static constexpr StepEffort k_careful{{8, 1e-3, true}};     ///< where many grains overlap
+    static constexpr StepEffort k_at_rest{{32, 1e-10, false}};  ///< where nothing moves: the forces are left to find
+    /// Where a bed at rest sets out slowly, once its forces are known: sweeps would stop it again.
+    static constexpr StepEffort k_creeping{{32, 1e-10, false}, true, 1};
+    static constexpr double k_held = 1e-6;   ///< of gravity's kick: what creeps more slowly is held but for round-off
+    static constexpr double k_creep = 10.0;  ///< of gravity's kick in a step: what moves faster does not creep
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
 
@@ -50,8 +61,11 @@ public:
     /// Advances bodies and trial poses from time to time + dt. `start` are the poses at which the contacts were found;
     /// the trial poses equal them at first. Fills impulses and losses of the report.
     void advance(std::vector<GapContact>& contacts, std::vector<SolverBody>& bodies, const PoseSet& start,
-                 PoseSet& trial, std::int64_t step, double time, double dt, const SweepEffort& effort,
+                 PoseSet& trial, std::int64_t step, double time, double dt, const StepEffort& effort,
                  StepReport& report);
+
+    /// In the last step all impulses were found together, and the bed moves slowly with them.
+    bool creeps() const { return creeps_; }
 
     /// The groups in which the contacts are swept.
     const ContactLanes& lanes() const { return lanes_; }
@@ -81,10 +95,12 @@ private:
     void find_moving_walls(const std::vector<GapContact>& contacts);
     void set_wall_velocities(std::vector<GapContact>& contacts, double time);
 
-    void lasting(std::vector<GapContact>& contacts, double h, const SweepEffort& effort, bool first);
-    void find_together(std::vector<GapContact>& contacts, double h);
+    void lasting(std::vector<GapContact>& contacts, double h, const StepEffort& effort, bool first);
+    void solve(std::vector<GapContact>& contacts, double h, const StepEffort& effort, bool first);
+    bool find_together(std::vector<GapContact>& contacts, double h);
     void push_by_all(const std::vector<GapContact>& contacts, GrainIndex grain);
     bool rests(double h) const;
+    bool slower_than(double speed) const;
     void stop();
     void find_pushed();
     void keep_energy(const std::vector<GapContact>& contacts, double h);
@@ -120,6 +136,8 @@ private:
     std::vector<double> spin_before_;
     std::vector<Push> push_;
     std::vector<char> pushed_;
+    double creep_speed_ = 0.0;  ///< [m/s]
+    bool creeps_ = false;
 };
 
 }  // namespace polargrain
