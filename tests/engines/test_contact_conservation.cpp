@@ -62,6 +62,15 @@ TEST(Determinism, TwoRunsAgreeToTheLastBit) {
     EXPECT_EQ(state_hash(first.world), state_hash(second.world));
 }
 
+/// Every blow and lasting contact without friction, and the feet of grains struck from above.
+TEST(Friction, TakesNothingWhereThereIsNone) {
+    Running sim(make_contact, testing::pour(PourShape::mixed, 120, 5, 0.5, 0.0, 10));
+    sim.run(0.6, 1e-3);
+    EXPECT_GT(sim.impacts, 1000);
+    EXPECT_GT(sim.ledger.restitution_loss, 0.3 * sim.start_energy);
+    EXPECT_NEAR(sim.ledger.friction_loss, 0.0, 1e-14 * sim.start_energy);
+}
+
 class SavedAndLoaded : public ::testing::TestWithParam<double> {};
 
 TEST_P(SavedAndLoaded, GoesOnBitForBit) {

@@ -143,8 +143,8 @@ bool BlowSolver::presses_another(const Footing& footing, const std::vector<Stanc
 Blow BlowSolver::blow(std::int32_t struck, const Answer& a, double restitution, const Stance& stance_i,
                       const Stance& stance_j) const {
     Blow b;
-    b.restitution_loss = a.result.restitution_loss;
-    b.friction_loss = a.result.friction_loss + a.i.foot_loss() + a.j.foot_loss();
+    b.restitution_loss = a.result.restitution_loss + a.i.restitution_loss() + a.j.restitution_loss();
+    b.friction_loss = a.result.friction_loss + a.i.friction_loss() + a.j.friction_loss();
     const SlipMode mode = a.i.stands() || a.j.stands() ? SlipMode::on_feet : a.result.mode;
     b.add({struck, a.result.normal, a.result.tangential, restitution, mode});
     for (const auto& [footing, stance] : {std::pair{&a.i, &stance_i}, std::pair{&a.j, &stance_j}}) {

@@ -33,10 +33,17 @@ Footing::Footing(const SolverBody& body, const Vec2& centre, const GapContact& f
     const double about_foot = about_centre + arm.squaredNorm() / inverse_mass_;
     const double spin = (about_centre * spin_ + cross(arm, own) / inverse_mass_) / about_foot;
     const Vec2 stop = (cross(spin, arm) - own) / inverse_mass_;
-    const Vec2 slip = foot_velocity();
-    push(stop, foot.point);
-    foot_impulse_ = stop;
-    foot_loss_ = -0.5 * stop.dot(slip);
+    push_foot(stop, foot_velocity());
+}
+
+/// `velocity_before` [m/s]: of the foot, before the blow of which p is part.
+void Footing::push_foot(const Vec2& p, const Vec2& velocity_before) {
+    push(p, foot_->point);
+    foot_impulse_ += p;
+    const Vec2 mean = 0.5 * (velocity_before + foot_velocity());
+    const Vec2 t = foot_->tangent();
+    restitution_loss_ -= p.dot(foot_->normal) * mean.dot(foot_->normal);
+    friction_loss_ -= p.dot(t) * mean.dot(t);
 }
 
 void Footing::push(const Vec2& p, const Vec2& point) {
@@ -84,9 +91,7 @@ void Footing::take(const Vec2& p, const Vec2& point) {
     const Vec2 foot = reaction(p, point);
     const Vec2 before = foot_velocity();
     push(p, point);
-    push(foot, foot_->point);
-    foot_impulse_ += foot;
-    foot_loss_ -= 0.5 * foot.dot(before + foot_velocity());
+    push_foot(foot, before);
 }
 
 bool Footing::is_consistent() const {

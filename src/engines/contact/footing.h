@@ -48,12 +48,14 @@ public:
     /// Is what was assumed of the foot true: does it press, within the cone of friction, or slip against friction?
     bool is_consistent() const;
 
-    /// Energy taken at the foot, in the frame of its wall [J/m].
-    double foot_loss() const { return foot_loss_; }
+    /// Energy taken at the foot by what presses it and by friction, in the frame of its wall [J/m].
+    double restitution_loss() const { return restitution_loss_; }
+    double friction_loss() const { return friction_loss_; }
 
 private:
     Vec2 reaction(const Vec2& p, const Vec2& point) const;
     void push(const Vec2& p, const Vec2& point);
+    void push_foot(const Vec2& p, const Vec2& velocity_before);
     Vec2 foot_velocity() const { return velocity_at(foot_->point) - foot_->wall_velocity; }
 
     const GapContact* foot_ = nullptr;
@@ -63,7 +65,7 @@ private:
     double spin_ = 0.0;
     double inverse_mass_ = 0.0, inverse_inertia_ = 0.0;
     Vec2 foot_impulse_ = Vec2::Zero();
-    double foot_loss_ = 0.0;
+    double restitution_loss_ = 0.0, friction_loss_ = 0.0;
 };
 
 /// The frame of an impact between bodies that may stand on their feet.
