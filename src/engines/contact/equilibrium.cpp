@@ -8,12 +8,6 @@
 
 namespace polargrain {
 
-namespace {
-
-constexpr double k_held = 1e-6;  ///< of the kick: a speed below it is none
-
-}  // namespace
-
 std::optional<std::vector<Vec2>> find_equilibrium(const SlowBed& bed) {
     PushSystem system(bed);
     std::optional<PushSolution> solution = solve_active(system);

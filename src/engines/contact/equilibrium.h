@@ -7,6 +7,9 @@
 
 namespace polargrain {
 
+/// Of gravity's kick: a bed that gets no faster is held, but for round-off.
+inline constexpr double k_held = 1e-6;
+
 /// Impulses of all lasting contacts of a sub-step, found together, where sweeps over them one by one do not settle.
 ///
 /// Of all velocities v for which no gap closes beyond its resting gap, a bed takes those with the least

@@ -43,7 +43,6 @@ public:
     static constexpr StepEffort k_at_rest{{32, 1e-10, false}};  ///< where nothing moves: the forces are left to find
     /// Where a bed at rest sets out slowly, once its forces are known: sweeps would stop it again.
     static constexpr StepEffort k_creeping{{32, 1e-10, false}, true, 1};
-    static constexpr double k_held = 1e-6;   ///< of gravity's kick: what creeps more slowly is held but for round-off
     static constexpr double k_creep = 10.0;  ///< of gravity's kick in a step: what moves faster does not creep
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
