@@ -186,8 +186,8 @@ private:
         return resting;
     }
 
-    /// A bed at rest that its forces do not hold sets out. The first few times sweeps may do: mostly they bring it to
-    /// rest in the end, for less. Later, or else for ever, it is followed until it is held or fast.
+    /// A bed at rest that its forces do not hold sets out. The first few times it is left to the sweeps: mostly they
+    /// bring it to rest in the end, for less. After that it is followed until it is held or fast.
     void follow_creep() {
         if (at_rest_ && solver_.creeps()) ++times_set_out_;
         creeping_ = solver_.creeps() && times_set_out_ > k_left_to_sweeps && contacts_.size() <= k_most_creeping;
@@ -261,7 +261,7 @@ private:
     /// bodies that start without any gap between them could otherwise never get their resting gaps. That little is
     /// granted to the guard and stands in the ledger as correction.
     void correct_positions(double energy_before, double dt, StepReport& report) {
-        if (at_rest_ || creeping_) return;
+        if (at_rest_ || creeping_) return;  // no gap gets lost there, and what is lifted only falls again
         const double dissipated = std::max(0.0, energy_before + wall_work(report) - energy_at(trial_));
         const double grant = std::min(k_opening * opening_unit_, opening_left_);
         const double lift = correction_.correct(contacts_, bodies_, scene_.gravity, {dt, PositionCorrection::k_still},
