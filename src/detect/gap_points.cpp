@@ -315,6 +315,11 @@ struct PieceLine {
 struct Side {
     double sign;
     bool through;
+
+    /// Out of the piece, towards where the point belongs.
+    Vec2 normal(const PieceLine& line) const { return sign > 0.0 ? line.left : Vec2(-line.left); }
+    /// Of the point over the piece along that normal: negative where it has gone through [m].
+    double height(const OverPiece& now) const { return through ? -std::abs(now.height) : std::abs(now.height); }
 };
 
 Side side_of(const OverPiece& now, const OverPiece& before, double home_side, double radius, bool overrun) {
@@ -333,8 +338,8 @@ Side side_of(const OverPiece& now, const OverPiece& before, double home_side, do
 
 /// The side of the piece on which p is, over the piece or where its line bounds the free space past an end; none
 /// elsewhere.
-std::optional<Side> side_before(const GapPiece& piece, const Vec2& p, const OverPiece& now, const OverPiece& before,
-                                double home_side, double radius, bool overrun) {
+std::optional<Side> side_of_piece(const GapPiece& piece, const Vec2& p, const OverPiece& now, const OverPiece& before,
+                                  double home_side, double radius, bool overrun) {
     if (now.within()) return side_of(now, before, home_side, radius, overrun);
     if (piece.bounds_past_end(p)) return Side{now.height, false};
     return {};
@@ -360,12 +365,12 @@ void wall_vertex_points(const PolarPolygon& grain, const Pose& pose, const Pose&
         const Vec2 p = pose.to_world(grain.vertex(k));
         const OverPiece now = line.over(p);
         if (std::abs(now.height) > rules.margin + grain.outer_radius()) continue;
-        const auto side = side_before(piece, p, now, line_before.over(pose_before.to_world(grain.vertex(k))), home,
-                                      grain.outer_radius(), overrun);
+        const auto side = side_of_piece(piece, p, now, line_before.over(pose_before.to_world(grain.vertex(k))), home,
+                                        grain.outer_radius(), overrun);
         if (!side) continue;
-        const double gap = side->through ? -std::abs(now.height) : std::abs(now.height);
+        const double gap = side->height(now);
         if (gap > rules.margin) continue;
-        const Vec2 normal = side->sign > 0.0 ? line.left : Vec2(-line.left);
+        const Vec2 normal = side->normal(line);
         const Approach approach{p, pose.turned(grain.vertex(grain.previous(k)) - grain.vertex(k)),
                                 pose.turned(grain.vertex(grain.next(k)) - grain.vertex(k))};
         if (gap >= 0.0 && neighbour_behind(approach, normal, gap)) continue;
@@ -420,11 +425,11 @@ void wall_points(const Disk& disk, const Pose& pose, const Pose& pose_before, co
     const auto add = [&](const Vec2& at, const Vec2& normal, double gap, int which) {
         if (gap <= rules.margin) points.push_back({at, normal, gap, -k_unbounded, k_unbounded, -1, which, true});
     };
-    const auto side = side_before(piece, pose.centre, now, PieceLine(piece.before).over(pose_before.centre), 1.0,
-                                  disk.radius(), overrun);
+    const auto side = side_of_piece(piece, pose.centre, now, PieceLine(piece.before).over(pose_before.centre), 1.0,
+                                    disk.radius(), overrun);
     if (side) {
-        const Vec2 normal = side->sign > 0.0 ? line.left : Vec2(-line.left);
-        const double height = side->through ? -std::abs(now.height) : std::abs(now.height);
+        const Vec2 normal = side->normal(line);
+        const double height = side->height(now);
         add(pose.centre - height * normal, normal, height - disk.radius(), 0);
         return;
     }

@@ -69,7 +69,7 @@ private:
     static constexpr std::int64_t k_steps_alone = 32;
     static constexpr std::int64_t k_share = 32;
     static constexpr std::int64_t k_left_to_sweeps = 4;
-    static constexpr std::size_t k_most_creeping = 8192;  ///< contacts: a step solved as a whole costs that of thirty
+    static constexpr std::size_t k_most_creeping = 8192;  ///< contacts: what a solve costs grows faster than they do
     static constexpr std::size_t k_run = 1024;            ///< grains or contacts that a thread takes at a time
 
     /// One step, or a part of one: where repair leaves an overlap, everything is taken back and done again in two

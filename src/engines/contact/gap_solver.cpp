@@ -29,7 +29,7 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
     creep_speed_ = k_creep * dt * std::sqrt(scene_.gravity.squaredNorm());
     halfway_.find(start, bodies, dt);
     // Between steps, impulses are those of a usual sub-step.
-    const double usual = static_cast<double>(effort.sub_steps) / k_usual.sub_steps;
+    const double usual = static_cast<double>(effort.sub_steps()) / k_usual.sub_steps();
     scale_impulses(contacts, 1.0 / usual);
     prepare(contacts, bodies);
     find_moving_walls(contacts);
@@ -40,8 +40,8 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
     parallel_.each(both.size(), [&](std::size_t k) { both[k](); });
     impacts_.begin({&contacts, &lanes_, &bodies_, &trial, &halfway_, &by_grain_, &report, step, time, dt});
     impacts_.find_all_closing(closing_);
-    const double h = dt / effort.sub_steps;
-    for (int s = 0; s < effort.sub_steps; ++s) {
+    const double h = dt / effort.sub_steps();
+    for (int s = 0; s < effort.sub_steps(); ++s) {
         set_wall_velocities(contacts, time + (s + 0.5) * h);
         impacts_.run(closing_, h);
         lasting(contacts, h, effort, s == 0);
@@ -149,8 +149,7 @@ void GapSolver::solve(std::vector<GapContact>& contacts, double h, const StepEff
     const bool settles = lanes_.sweep(bodies_, h, sweeps);
     if (!first || !effort.together || !moving_.empty()) return;
     const bool found = !settles && find_together(contacts, h);
-    const bool creeping = effort.sub_steps == k_creeping.sub_steps;
-    if (!found && !(creeping && settles)) return;
+    if (!found && !(effort.creeping && settles)) return;
     creeps_ = slower_than(creep_speed_);
     if (slower_than(k_held * kick)) {
         stop();

@@ -19,7 +19,9 @@ struct StepEffort {
     SweepEffort sweeps;
     /// Where the sweeps of the first sub-step do not settle, all impulses are found together. For slow beds.
     bool together = false;
-    int sub_steps = 8;
+    bool creeping = false;  ///< the bed is followed while it creeps: one sub-step will do
+
+    int sub_steps() const { return creeping ? 1 : 8; }
 };
 
 /// Carries velocities and poses through one step in sub-steps, with impacts and lasting contacts.
@@ -42,7 +44,7 @@ public:
     static constexpr StepEffort k_careful{{8, 1e-3, true}};     ///< where many grains overlap
     static constexpr StepEffort k_at_rest{{32, 1e-10, false}};  ///< where nothing moves: the forces are left to find
     /// Where a bed at rest sets out slowly, once its forces are known: sweeps would stop it again.
-    static constexpr StepEffort k_creeping{{32, 1e-10, false}, true, 1};
+    static constexpr StepEffort k_creeping{{32, 1e-10, false}, true, true};
     static constexpr double k_creep = 10.0;  ///< of gravity's kick in a step: what moves faster does not creep
 
     static constexpr double k_still = 1e-9;  ///< of g h: a bed that gets no faster in a sub-step is at rest
