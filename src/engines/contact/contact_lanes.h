@@ -68,6 +68,13 @@ public:
     /// Gap less resting gap [m].
     double open(std::size_t contact) const { return block(contact).open.of[lane(contact)]; }
     void widen(std::size_t contact, double way) { block(contact).open.of[lane(contact)] += way; }
+    /// Gives a contact without impulses another normal, along which it is open by that much [m]; its arms stay.
+    void turn(std::size_t contact, const Vec2& normal, double open) {
+        LaneBlock& b = block(contact);
+        b.normal_x.of[lane(contact)] = normal.x();
+        b.normal_y.of[lane(contact)] = normal.y();
+        b.open.of[lane(contact)] = open;
+    }
     double normal_impulse(std::size_t contact) const { return block(contact).normal_impulse.of[lane(contact)]; }
     double tangent_impulse(std::size_t contact) const { return block(contact).tangent_impulse.of[lane(contact)]; }
     void set_impulse(std::size_t contact, const Vec2& impulse) {

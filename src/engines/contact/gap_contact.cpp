@@ -49,7 +49,6 @@ void take_over(GapContact& now, GapContact& old) {
 
 }  // namespace
 
-// First by feature; what is left goes to the nearest point with a similar normal that has none yet.
 void scale_impulses(std::vector<GapContact>& contacts, double factor) {
     if (factor == 1.0) return;
     for (GapContact& c : contacts) {
@@ -58,6 +57,7 @@ void scale_impulses(std::vector<GapContact>& contacts, double factor) {
     }
 }
 
+// First by feature; what is left goes to the nearest point with a similar normal that has none yet.
 void take_impulses_over(std::span<GapContact> now, std::span<GapContact> old) {
     thread_local std::vector<char> done;
     done.assign(old.size(), 0);

@@ -39,6 +39,7 @@ struct alignas(64) GapContact {
     double high = std::numeric_limits<double>::infinity();
 
     Vec2 tangent() const { return right_normal(normal); }
+    bool between_disks() const { return vertex < 0 && edge < 0 && !is_wall(j); }
 };
 static_assert(sizeof(GapContact) == 192);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/engines/contact/disk_meeting.h"
 #include "src/engines/contact/gap_motion.h"
 #include "src/engines/contact/pose_set.h"
 #include "src/model/contact_law.h"
@@ -21,8 +22,9 @@ Motion motion_of(const SolverBody& body) { return {body.velocity, body.spin}; }
 
 }  // namespace
 
-GapImpacts::GapImpacts(const Scene& scene)
-    : scene_(scene), parallel_(std::max(1, scene.threads)), blow_solver_(scene) {}
+GapImpacts::GapImpacts(const Scene& scene) : scene_(scene), parallel_(std::max(1, scene.threads)), blow_solver_(scene) {
+    for (GrainIndex k = 0; k < scene.grains.size(); ++k) radius_.push_back(outer_radius(scene.shape_of(k)));
+}
 
 void GapImpacts::begin(const StepInHand& step) {
     now_ = step;
@@ -30,14 +32,17 @@ void GapImpacts::begin(const StepInHand& step) {
     const auto grains = static_cast<std::size_t>(scene_.grains.size());
     blow_solver_.begin(*step.contacts, *step.bodies, *step.halfway, *step.lanes, *step.by_grain, step.step);
     round_ = 0;
+    first_round_ = 1;
+    left_ = step.dt;
     grains_.assign(grains, {});
     added_.assign(step.contacts->size(), 0);
 }
 
-void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) const {
+void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) {
     std::vector<char> closes(now_.contacts->size());
     parallel_.runs(closes.size(), k_run, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
+            turn_to_meet(static_cast<std::int32_t>(k));
             closes[k] = -normal_speed((*now_.contacts)[k], *now_.bodies) > impact_speed_;
         }
     });
@@ -49,10 +54,12 @@ void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) const {
 
 void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
     strikes_.clear();
-    ++round_;
+    first_round_ = ++round_;
+    parallel_.runs(closing.size(), k_looks_a_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t n = first; n < last; ++n) turn_to_meet(closing[n]);
+    });
     find_strikes(closing, h);
-    if (strikes_.empty()) return;
-    uses_.assign(now_.contacts->size(), 0);
+    if (!strikes_.empty()) uses_.assign(now_.contacts->size(), 0);
     while (!strikes_.empty()) {
         ++round_;
         choose_turns(h);
@@ -60,6 +67,33 @@ void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
         book();
         look_again(h);
     }
+    left_ -= h;
+}
+
+/// Two disks that fly: the contact gets the normal, and the gap along it, of the time in the rest of the step at which
+/// they meet or are nearest. By the normal of the middle of the step they would be struck at a wrong angle, and so
+/// would disks that pass one another closely.
+void GapImpacts::turn_to_meet(std::int32_t contact) {
+    GapContact& c = (*now_.contacts)[at(contact)];
+    if (!c.between_disks()) return;
+    const SolverBody& i = (*now_.bodies)[at(c.i)];
+    const Vec2 velocity = i.velocity - (*now_.bodies)[at(c.j)].velocity;
+    const Vec2& centre = now_.trial->centre[at(c.i)];
+    const Vec2 apart = centre - now_.trial->centre[at(c.j)];
+    const double approach = -apart.dot(velocity);
+    const double slow = impact_speed_ * impact_speed_ * apart.squaredNorm();
+    if (approach <= 0.0 || approach * approach <= slow) return;  // left to the solver; later they close no faster
+    const double touching = radius_[at(c.i)] + radius_[at(c.j)] + c.resting;
+    const double too_far = touching + left_ * std::sqrt(velocity.squaredNorm());
+    if (apart.squaredNorm() > too_far * too_far) return;
+    ContactLanes& lanes = *now_.lanes;
+    if (lanes.normal_impulse(at(contact)) != 0.0 || lanes.tangent_impulse(at(contact)) != 0.0) return;
+    const double earliest = std::max(struck_at(c.i), struck_at(c.j));
+    const DiskMeeting meeting = find_meeting(apart, velocity, touching, earliest, left_);
+    c.total_impulse += lanes.take(at(contact), c);
+    c.normal = meeting.normal;
+    c.point = centre + meeting.time * i.velocity - (radius_[at(c.i)] + 0.5 * c.resting) * c.normal;
+    lanes.turn(at(contact), c.normal, meeting.distance - touching);
 }
 
 /// Adds the contact if it strikes.
@@ -107,6 +141,7 @@ void GapImpacts::choose_turns(double h) {
             if (is_wall(body)) continue;
             OfGrain& grain = grains_[at(body)];
             const bool first = grain.round != round_;
+            grain.strikes = first ? 1 : grain.strikes + 1;
             if (first || s.speed > grain.fastest.speed ||
                 (s.speed == grain.fastest.speed && s.contact < grain.fastest.contact)) {
                 grain.round = round_;
@@ -116,7 +151,7 @@ void GapImpacts::choose_turns(double h) {
     }
     turns_.clear();
     for (const Strike& s : strikes_) {
-        if (is_fastest_of(s.i, s) && is_fastest_of(s.j, s)) turns_.push_back({s, time_to_wall(s, h)});
+        if (is_fastest_of(s.i, s) && is_fastest_of(s.j, s)) turns_.push_back({s, time_of(s, h)});
     }
 }
 
@@ -124,11 +159,36 @@ bool GapImpacts::is_fastest_of(BodyIndex body, const Strike& strike) const {
     return is_wall(body) || grains_[at(body)].fastest.contact == strike.contact;
 }
 
+/// When in this sub-step a body was struck [s]; before, it was not on the path on which it is now.
+double GapImpacts::struck_at(BodyIndex body) const {
+    if (is_wall(body)) return 0.0;
+    const OfGrain& grain = grains_[at(body)];
+    return grain.struck >= first_round_ ? grain.time : 0.0;
+}
+
+/// When in the sub-step a strike takes place [s]: when the bodies meet, where that can be known, else as early as can
+/// be.
+double GapImpacts::time_of(const Strike& s, double h) const {
+    const double earliest = std::max(struck_at(s.i), struck_at(s.j));
+    if (is_wall(s.j)) return std::max(earliest, time_to_wall(s, h));
+    if (!(*now_.contacts)[at(s.contact)].between_disks()) return earliest;
+    const auto alone = [this](BodyIndex body) { return grains_[at(body)].strikes == 1 && flies(body); };
+    if (!alone(s.i) || !alone(s.j)) return earliest;
+    return std::clamp(now_.lanes->open(at(s.contact)) / s.speed, earliest, h);
+}
+
+/// Does nothing press the grain?
+bool GapImpacts::flies(BodyIndex body) const {
+    const auto contacts = now_.by_grain->of(body);
+    return std::none_of(contacts.begin(), contacts.end(),
+                        [this](std::int32_t k) { return now_.lanes->normal_impulse(at(k)) > 0.0; });
+}
+
 /// Time until a grain reaches its resting gap from a wall at rest [s], no longer than the sub-step; 0 where others are
 /// near enough to take part.
 double GapImpacts::time_to_wall(const Strike& strike, double h) const {
     const GapContact& c = (*now_.contacts)[at(strike.contact)];
-    if (!is_wall(c.j) || c.wall_velocity != Vec2::Zero()) return 0.0;
+    if (c.wall_velocity != Vec2::Zero()) return 0.0;
     const double way = now_.lanes->open(at(strike.contact));
     if (way <= 0.0) return 0.0;
     for (const std::int32_t k : now_.by_grain->of(c.i)) {
@@ -151,62 +211,72 @@ void GapImpacts::strike_all(double h) {
     if (now_.report->record_impacts) records_.resize(Blow::k_most_pushes * turns_.size());
     const std::size_t length = turns_a_run();
     parallel_.runs(turns_.size(), length, [&](std::size_t first, std::size_t last) {
-        for (std::size_t n = first; n < last; ++n) {
-            if (turns_[n].flight == 0.0) strike(n, h);
-        }
+        for (std::size_t n = first; n < last; ++n) strike(n, h);
     });
-    // Flights change the gaps of all that is near.
-    for (std::size_t n = 0; n < turns_.size(); ++n) {
-        if (turns_[n].flight > 0.0) strike_in_flight(n, h);
+    // Changes the gaps of all that is near.
+    for (const Turn& turn : turns_) {
+        if (turn.time > 0.0) lead_back(turn);
     }
 }
 
+/// The sub-step kicks by h after all strikes. A grain that meets a wall has had a part of the kick when it does; a pair
+/// falls alike, and its impulse knows nothing of it.
 void GapImpacts::strike(std::size_t turn, double h) {
-    const Strike& s = turns_[turn].strike;
+    Turn& now = turns_[turn];
     std::vector<SolverBody>& bodies = *now_.bodies;
-    Blow& blow = blows_[turn];
-    blow = blow_solver_.solve(s.contact, s.speed, h);
-    for (std::size_t n = 0; n < blow.count; ++n) {
-        const BlowPush& p = blow.pushes[n];
-        GapContact& c = (*now_.contacts)[at(p.contact)];
-        if (now_.report->record_impacts) records_[Blow::k_most_pushes * turn + n] = record(p);
-        push(c, bodies, p.normal, p.tangential);
-        c.total_impulse += p.normal * c.normal + p.tangential * c.tangent();
-        if (!now_.report->record_impacts) continue;
-        ImpactRecord& r = records_[Blow::k_most_pushes * turn + n];
-        r.closing_after = normal_speed(c, bodies);
-        r.sliding_after = tangent_speed(c, bodies);
-        r.i_after = motion_of(bodies[at(c.i)]);
-        r.j_after = is_wall(c.j) ? r.j_before : motion_of(bodies[at(c.j)]);
-    }
-    ++uses_[at(s.contact)];
-    for (const BodyIndex body : {s.i, s.j}) {
-        if (!is_wall(body)) grains_[at(body)].struck = round_;
+    const auto [speed, contact, i, j] = now.strike;
+    if (is_wall(j)) bodies[at(i)].velocity += now.time * scene_.gravity;
+    now.i_before = motion_of(bodies[at(i)]);
+    if (!is_wall(j)) now.j_before = motion_of(bodies[at(j)]);
+    blows_[turn] = blow_solver_.solve(contact, speed, h);
+    for (std::size_t n = 0; n < blows_[turn].count; ++n) push_by(turn, n);
+    ++uses_[at(contact)];
+    for (const BodyIndex body : {i, j}) {
+        if (is_wall(body)) continue;
+        grains_[at(body)].struck = round_;
+        grains_[at(body)].time = now.time;
     }
 }
 
-/// An impact of a grain that nothing else touches on a wall, at the moment at which they meet.
-///
-/// The sub-step kicks and moves by h whatever happens in it. So that the path is the exact one - free flight, impact,
-/// free flight - the velocity goes back by the part of the kick that has been spent, and the pose gets what the
-/// velocity before moved it more than the one after. (Among grains alone in a dense gas this is not worth it: others
-/// come in between within the sub-step.)
-void GapImpacts::strike_in_flight(std::size_t turn, double h) {
-    const GapContact& c = (*now_.contacts)[at(turns_[turn].strike.contact)];
-    const double flight = turns_[turn].flight;
-    const Vec2 kick = flight * scene_.gravity;
-    SolverBody& body = (*now_.bodies)[at(c.i)];
-    body.velocity += kick;
-    const Motion before = motion_of(body);
-    strike(turn, h);
-    const Vec2 way = flight * (before.velocity - body.velocity);
-    const double turned = flight * (before.spin - body.spin);
-    now_.trial->centre[at(c.i)] += way;
-    now_.trial->angle[at(c.i)] += turned;
-    body.velocity -= kick;
-    for (const std::int32_t k : now_.by_grain->of(c.i)) {
+/// Gives the bodies an impulse of the turn's blow, and keeps a record of it where that is wanted.
+void GapImpacts::push_by(std::size_t turn, std::size_t n) {
+    std::vector<SolverBody>& bodies = *now_.bodies;
+    const BlowPush& p = blows_[turn].pushes[n];
+    GapContact& c = (*now_.contacts)[at(p.contact)];
+    const bool recorded = now_.report->record_impacts;
+    if (recorded) records_[Blow::k_most_pushes * turn + n] = record(p);
+    push(c, bodies, p.normal, p.tangential);
+    c.total_impulse += p.normal * c.normal + p.tangential * c.tangent();
+    if (!recorded) return;
+    ImpactRecord& r = records_[Blow::k_most_pushes * turn + n];
+    r.closing_after = normal_speed(c, bodies);
+    r.sliding_after = tangent_speed(c, bodies);
+    r.i_after = motion_of(bodies[at(c.i)]);
+    r.j_after = is_wall(c.j) ? r.j_before : motion_of(bodies[at(c.j)]);
+}
+
+/// The sub-step moves every grain by h with the velocity that it has in the end. Poses get what the velocity before the
+/// blow has moved them more than the one after, so that the path is the exact one: flight, impact, flight. (That keeps
+/// the centre of mass of a pair where it is.) Until the impact, the grain is not where its path says.
+void GapImpacts::lead_back(const Turn& turn) {
+    const auto [speed, contact, i, j] = turn.strike;
+    shift(i, turn.i_before, turn.time);
+    if (is_wall(j)) {
+        (*now_.bodies)[at(i)].velocity -= turn.time * scene_.gravity;
+    } else {
+        shift(j, turn.j_before, turn.time);
+    }
+}
+
+void GapImpacts::shift(BodyIndex body, const Motion& before, double time) {
+    const SolverBody& after = (*now_.bodies)[at(body)];
+    const Vec2 way = time * (before.velocity - after.velocity);
+    const double turned = time * (before.spin - after.spin);
+    now_.trial->centre[at(body)] += way;
+    now_.trial->angle[at(body)] += turned;
+    for (const std::int32_t k : now_.by_grain->of(body)) {
         const GapContact& touched = (*now_.contacts)[at(k)];
-        const bool is_i = touched.i == c.i;
+        const bool is_i = touched.i == body;
         const double opened = touched.normal.dot(way) + (is_i ? touched.arm_ni : touched.arm_nj) * turned;
         now_.lanes->widen(at(k), is_i ? opened : -opened);
     }
@@ -258,6 +328,12 @@ void GapImpacts::book() {
 /// The strikes of the next round: those of grains that have not been struck, and what strikes now among the others.
 void GapImpacts::look_again(double h) {
     std::erase_if(strikes_, [&](const Strike& s) { return is_struck(s.i) || is_struck(s.j); });
+    for (const Turn& turn : turns_) {
+        for (const BodyIndex body : {turn.strike.i, turn.strike.j}) {
+            if (is_wall(body)) continue;
+            for (const std::int32_t k : now_.by_grain->of(body)) turn_to_meet(k);
+        }
+    }
     const std::size_t length = turns_a_run();
     const std::size_t runs = begin_looks(turns_.size(), length);
     parallel_.runs(turns_.size(), length, [&](std::size_t first, std::size_t last) {

@@ -45,7 +45,7 @@ public:
     void begin(const StepInHand& step);
 
     /// All contacts that may strike in the first sub-step.
-    void find_all_closing(std::vector<std::int32_t>& closing) const;
+    void find_all_closing(std::vector<std::int32_t>& closing);
 
     /// One sub-step of length h [s]. `closing`: contacts that may strike, in any order that does not depend on the
     /// number of threads; the others are looked at when an impact has changed them.
@@ -61,18 +61,23 @@ private:
         std::int32_t contact;
         BodyIndex i, j;  ///< of the contact
     };
-    /// A strike whose turn it is. flight: until the grain meets a wall, if it flies there alone [s].
+    /// A strike whose turn it is, and when in the sub-step the bodies meet [s].
     struct Turn {
         Strike strike;
-        double flight;
+        double time;
+        Motion i_before{}, j_before{};
     };
-    /// What happens to a grain: its fastest strike of a round, and the last round in which it was struck.
+    /// What happens to a grain: its strikes in a round and the fastest of them; the last round in which it was struck,
+    /// and when in the sub-step that was [s].
     struct OfGrain {
         std::int64_t round = 0;
+        int strikes = 0;
         Strike fastest{};
         std::int64_t struck = 0;
+        double time = 0.0;
     };
 
+    void turn_to_meet(std::int32_t contact);
     void look_at(std::int32_t contact, double h, std::vector<Strike>& found) const;
     void find_strikes(const std::vector<std::int32_t>& candidates, double h);
     void look_about(const Turn& turn, double h, std::vector<Strike>& found) const;
@@ -85,9 +90,14 @@ private:
     }
     std::size_t turns_a_run() const;
     void strike_all(double h);
-    void strike_in_flight(std::size_t turn, double h);
     void strike(std::size_t turn, double h);
+    void push_by(std::size_t turn, std::size_t push);
+    void lead_back(const Turn& turn);
+    void shift(BodyIndex body, const Motion& before, double time);
+    double struck_at(BodyIndex body) const;
+    double time_of(const Strike& strike, double h) const;
     double time_to_wall(const Strike& strike, double h) const;
+    bool flies(BodyIndex body) const;
     ImpactRecord record(const BlowPush& push) const;
     void book();
     void look_again(double h);
@@ -95,9 +105,12 @@ private:
     const Scene& scene_;
     Parallel parallel_;
     BlowSolver blow_solver_;
+    std::vector<double> radius_;  ///< of the grains, outer [m]
     StepInHand now_;
     double impact_speed_ = 0.0;
     std::int64_t round_ = 0;
+    std::int64_t first_round_ = 0;  ///< of the sub-step
+    double left_ = 0.0;             ///< of the step, from the beginning of the sub-step [s]
     std::vector<Strike> strikes_;
     std::vector<Turn> turns_;
     std::vector<OfGrain> grains_;

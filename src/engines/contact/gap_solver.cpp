@@ -69,29 +69,9 @@ void GapSolver::prepare(std::vector<GapContact>& contacts, const std::vector<Sol
             c.total_impulse = Vec2::Zero();
             c.friction = pair_law(scene_, c.j, c.i).friction;
             halfway_.carry(c);
-            prepare_arms(c, bodies);
+            halfway_.set_arms(c, bodies);
         }
     });
-}
-
-void GapSolver::prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies) const {
-    const Vec2 t = c.tangent();
-    const SolverBody& i = bodies[at(c.i)];
-    const Vec2 arm_i = halfway_.arm(c, c.i);
-    c.arm_ni = cross(arm_i, c.normal);
-    c.arm_ti = cross(arm_i, t);
-    double n = i.inverse_mass + i.inverse_inertia * c.arm_ni * c.arm_ni;
-    double s = i.inverse_mass + i.inverse_inertia * c.arm_ti * c.arm_ti;
-    if (!is_wall(c.j)) {
-        const SolverBody& j = bodies[at(c.j)];
-        const Vec2 arm_j = halfway_.arm(c, c.j);
-        c.arm_nj = cross(arm_j, c.normal);
-        c.arm_tj = cross(arm_j, t);
-        n += j.inverse_mass + j.inverse_inertia * c.arm_nj * c.arm_nj;
-        s += j.inverse_mass + j.inverse_inertia * c.arm_tj * c.arm_tj;
-    }
-    c.mass_n = 1.0 / n;
-    c.mass_t = 1.0 / s;
 }
 
 /// Contacts with walls that move: their speeds change from sub-step to sub-step, and they do work.
@@ -351,7 +331,7 @@ void GapSolver::leave_edge(std::size_t contact, GapContact& c, StepReport& repor
         c.low = -std::numeric_limits<double>::infinity();
         c.high = std::numeric_limits<double>::infinity();
         c.active = true;
-        prepare_arms(c, bodies_);
+        halfway_.set_arms(c, bodies_);
         add_to_guess(c, 1.0);
     }
     lanes_.put(c, contact, bodies_);

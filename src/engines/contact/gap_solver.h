@@ -92,7 +92,6 @@ private:
     };
 
     void prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const;
-    void prepare_arms(GapContact& c, const std::vector<SolverBody>& bodies) const;
     void find_moving_walls(const std::vector<GapContact>& contacts);
     void set_wall_velocities(std::vector<GapContact>& contacts, double time);
 

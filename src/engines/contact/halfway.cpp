@@ -59,4 +59,24 @@ Vec2 Halfway::arm(const GapContact& c, GrainIndex grain) const {
     return c.point - centre(grain);
 }
 
+void Halfway::set_arms(GapContact& c, const std::vector<SolverBody>& bodies) const {
+    const Vec2 t = c.tangent();
+    const SolverBody& i = bodies[Grains::at(c.i)];
+    const Vec2 arm_i = arm(c, c.i);
+    c.arm_ni = cross(arm_i, c.normal);
+    c.arm_ti = cross(arm_i, t);
+    double n = i.inverse_mass + i.inverse_inertia * c.arm_ni * c.arm_ni;
+    double s = i.inverse_mass + i.inverse_inertia * c.arm_ti * c.arm_ti;
+    if (!is_wall(c.j)) {
+        const SolverBody& j = bodies[Grains::at(c.j)];
+        const Vec2 arm_j = arm(c, c.j);
+        c.arm_nj = cross(arm_j, c.normal);
+        c.arm_tj = cross(arm_j, t);
+        n += j.inverse_mass + j.inverse_inertia * c.arm_nj * c.arm_nj;
+        s += j.inverse_mass + j.inverse_inertia * c.arm_tj * c.arm_tj;
+    }
+    c.mass_n = 1.0 / n;
+    c.mass_t = 1.0 / s;
+}
+
 }  // namespace polargrain

@@ -29,6 +29,9 @@ public:
     /// disks share the gap at which they rest, so that their arms meet.
     Vec2 arm(const GapContact& c, GrainIndex grain) const;
 
+    /// Gives a contact its lever arms and effective masses, from its point and normal.
+    void set_arms(GapContact& c, const std::vector<SolverBody>& bodies) const;
+
     /// Centre of mass in the middle of the step [m].
     const Vec2& centre(GrainIndex grain) const { return centre_[Grains::at(grain)]; }
 
