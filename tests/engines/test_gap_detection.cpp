@@ -7,15 +7,12 @@
 #include "src/detect/overlap.h"
 #include "src/engines/contact/gap_detection.h"
 #include "tests/support/scenes.h"
+#include "tests/support/trial_moves.h"
 
 namespace polargrain {
 namespace {
 
-void place(PoseSet& poses, std::size_t k, const Vec2& centre, double angle) {
-    poses.centre[k] = centre;
-    poses.angle[k] = angle;
-    poses.refresh(k);
-}
+using testing::place;
 
 /// Two grains of a shape, and where they stand before they move.
 struct Pair {
