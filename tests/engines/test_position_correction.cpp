@@ -149,21 +149,28 @@ TEST(PositionCorrection, DoesNotMindContactsThatHaveLeftTheirEdge) {
     EXPECT_TRUE(same_poses(bed.at.trial, bed.at.before));
 }
 
-TEST(PositionCorrection, AddsItsBudgetAndNoMoreAndScalesAllWays) {
-    const std::vector<double> gaps{0.0, 0.1, -0.2, 1.0};
-    Correcting whole(disks_on_floor(gaps));
+TEST(PositionCorrection, AddsItsBudgetAndNoMoreAndScalesAllWaysAndTurns) {
+    // Disks, and a box that stands on a corner beside its centre.
+    Scene scene = disks_on_floor({0.0, 0.1, -0.2, 1.0});
+    const double lean = 0.2;
+    const double height = 0.01 * (std::cos(lean) + std::sin(lean));
+    scene.add(Grain{testing::add_rectangle(scene, 0.02, 0.02), 0, {0.5, height}, lean});
+    Correcting whole(scene);
     const double lift = whole.correct(k_all);
+    const double turn = whole.at.trial.angle[4] - lean;
+    EXPECT_GT(std::abs(turn) * 0.01, 0.01 * k_gap);
     for (const double part : {1e-6, 0.3, 0.999}) {
-        Correcting bed(disks_on_floor(gaps));
+        Correcting bed(scene);
         const double before = bed.energy();
         const double budget = part * lift;
         EXPECT_NEAR(bed.correct(budget), budget, 1e-12 * lift) << "part " << part;
         EXPECT_NEAR(bed.energy() - before, budget, 1e-12 * before);
-        for (GrainIndex k = 0; k < 4; ++k) {
+        for (GrainIndex k = 0; k < 5; ++k) {
             EXPECT_NEAR((bed.way(k) - part * whole.way(k)).norm(), 0.0, 1e-6 * k_gap) << "grain " << k;
         }
+        EXPECT_NEAR(bed.at.trial.angle[4] - lean, part * turn, 1e-6 * std::abs(turn));
     }
-    Correcting rich(disks_on_floor(gaps));
+    Correcting rich(scene);
     EXPECT_EQ(rich.correct(2.0 * lift), lift) << "what is not needed is not spent";
     EXPECT_TRUE(same_poses(rich.at.trial, whole.at.trial));
 }
