@@ -314,7 +314,11 @@ TEST_P(BedAtRest, GoesOnAsIfEveryStepWereDone) {
 INSTANTIATE_TEST_SUITE_P(
     Floor, BedAtRest,
     ::testing::Values(Awakening{"stays", [](Wall&) {}}, Awakening{"goes", [](Wall& floor) { floor.remove_at = 1.1; }},
-                      Awakening{"goes_within_a_step", [](Wall& floor) { floor.remove_at = 1.1003; }}),
+                      Awakening{"goes_within_a_step", [](Wall& floor) { floor.remove_at = 1.1003; }},
+                      Awakening{"begins_to_move",
+                                [](Wall& floor) {
+                                    floor.motion = SineMotion{Vec2::UnitX(), 2e-3, 5.0, 1.1};
+                                }}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BedAtRest, FallsFreelyFromTheStepInWhichItsFloorGoes) {
