@@ -40,6 +40,13 @@ struct ResumeRequest {
 };
 int resume_command(const ResumeRequest& request);
 
+/// Which of the stored frames of a run are taken.
+struct FrameChoice {
+    int every = 1;                                           ///< each N-th
+    double from = -std::numeric_limits<double>::infinity();  ///< [s]
+    double to = std::numeric_limits<double>::infinity();     ///< [s]
+};
+
 struct RenderRequest {
     std::filesystem::path folder;  ///< of a run
     std::optional<std::filesystem::path>
@@ -48,11 +55,9 @@ struct RenderRequest {
     std::string colour;                ///< "by=speed" or "speed"; empty: as the run's own frames
     std::optional<double> colour_max;  ///< upper end of the colour scale
     bool contacts = false;             ///< draw contact points and impulses too
-    int every = 1;                     ///< take each N-th stored frame
-    double from = -std::numeric_limits<double>::infinity();  ///< [s]
-    double to = std::numeric_limits<double>::infinity();     ///< [s]
-    std::string size;                                        ///< "1280x720"; empty: as the run's own frames
-    double frames_per_second = 25.0;                         ///< of a movie
+    FrameChoice frames;
+    std::string size;                 ///< "1280x720"; empty: as the run's own frames
+    double frames_per_second = 25.0;  ///< of a movie
     bool force = false;
     bool quiet = false;
 };

@@ -52,6 +52,18 @@ void add_overrides(CLI::App& command, ScenarioOverrides& overrides) {
         ->check(whole_number("number of threads", 1, k_most_threads), "", "");
 }
 
+void add_frame_choice(CLI::App& command, FrameChoice& choice, const std::string& verb) {
+    command.add_option("--every", choice.every, "take each N-th stored frame")
+        ->type_name("N")
+        ->check(whole_number("number of frames", 1, std::numeric_limits<int>::max()), "", "");
+    command.add_option("--from", choice.from, "first time to " + verb + " [s]")
+        ->type_name("T")
+        ->check(any_number("time"), "", "");
+    command.add_option("--to", choice.to, "last time to " + verb + " [s]")
+        ->type_name("T")
+        ->check(any_number("time"), "", "");
+}
+
 using Action = std::function<int()>;
 
 void add_run(CLI::App& app, RunRequest& request, Action& action) {
@@ -107,13 +119,7 @@ void add_render(CLI::App& app, RenderRequest& request, Action& action) {
         ->type_name("VALUE")
         ->check(number_between("end of a colour scale", 1e-9, 1e9), "", "");
     command->add_flag("--contacts", request.contacts, "draw contact points and impulses too");
-    command->add_option("--every", request.every, "take each N-th stored frame")
-        ->type_name("N")
-        ->check(whole_number("number of frames", 1, std::numeric_limits<int>::max()), "", "");
-    command->add_option("--from", request.from, "first time to draw [s]")
-        ->type_name("T")
-        ->check(any_number("time"), "", "");
-    command->add_option("--to", request.to, "last time to draw [s]")->type_name("T")->check(any_number("time"), "", "");
+    add_frame_choice(*command, request.frames, "draw");
     command->add_option("--size", request.size, "width and height in pixels, as 1280x720")->type_name("WxH");
     command->add_option("--fps", request.frames_per_second, "frames per second of a movie, default 25")
         ->type_name("N")

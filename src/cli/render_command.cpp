@@ -9,12 +9,11 @@
 #include "render/movie.h"
 #include "scenarios/reader.h"
 #include "src/cli/commands.h"
-#include "src/cli/progress_display.h"
+#include "src/cli/recording.h"
 #include "src/cli/run_folder.h"
 #include "src/core/error.h"
 #include "src/record/folder_lock.h"
 #include "src/record/text_file.h"
-#include "src/run/progress.h"
 
 namespace polargrain {
 
@@ -79,24 +78,6 @@ fs::path place_of(const RenderRequest& request, const std::string& format, const
     return request.folder / ("frames-" + colour);
 }
 
-std::vector<int> chosen_frames(const RenderRequest& request, const TrajectoryReader& recording) {
-    std::vector<int> chosen;
-    // A frame is stored at the first step at or after its time.
-    const double late = recording.time_step();
-    for (int f = 0; f < recording.frames(); ++f) {
-        const double time = recording.time(f);
-        if (time >= request.from && time < request.to + late) chosen.push_back(f);
-    }
-    require(!chosen.empty(), "--from {} --to {}: no frame of {} is in between; they go from {} s to {} s", request.from,
-            request.to, (request.folder / "trajectory.h5").string(), recording.time(0),
-            recording.time(recording.frames() - 1));
-    std::vector<int> thinned;
-    for (std::size_t k = 0; k < chosen.size(); k += static_cast<std::size_t>(request.every)) {
-        thinned.push_back(chosen[k]);
-    }
-    return thinned;
-}
-
 /// Takes one picture after the other.
 class Output {
 public:
@@ -158,27 +139,17 @@ std::unique_ptr<Output> open_output(const RenderRequest& request, const fs::path
 }  // namespace
 
 int render_command(const RenderRequest& request) {
-    require(fs::is_directory(request.folder), "{}: no such run folder; give the folder that polargrain run has made",
-            request.folder.string());
-    FolderLock::require_finished(request.folder);
-    const TrajectoryReader recording(request.folder / "trajectory.h5");
+    const TrajectoryReader recording = open_recording(request.folder);
     const Drawing drawing = drawing_of(request, recording);
     const FrameStyle style =
         make_frame_style(drawing.settings, drawing.scene, recording.title(), recording.time_step());
-    const std::vector<int> frames = chosen_frames(request, recording);
+    const std::vector<int> frames = chosen_frames(request.frames, recording, request.folder);
     const std::string format = format_of(request);
     const fs::path place = place_of(request, format, drawing.settings.colour);
     const std::unique_ptr<Output> output = open_output(request, place, format, style);
-    {
-        ProgressDisplay display("drawing", display_mode(request.quiet), "frames");
-        const LoopControl control{.progress = [&display](const Progress& progress) { display.show(progress); }};
-        ProgressMeter meter(control, 0, static_cast<std::int64_t>(frames.size()), 1.0);
-        for (std::size_t k = 0; k < frames.size(); ++k) {
-            const StoredFrame frame = recording.frame(frames[k]);
-            output->add(picture_of(recording.scene(), frame), frame.world.step);
-            meter.after_step(static_cast<std::int64_t>(k + 1));
-        }
-    }
+    for_each_frame(recording, frames, "drawing", request.quiet, [&](const StoredFrame& frame) {
+        output->add(picture_of(recording.scene(), frame), frame.world.step);
+    });
     output->finish();
     if (!request.quiet) fmt::print("{} frames: {}\n", frames.size(), place.string());
     return k_exit_done;

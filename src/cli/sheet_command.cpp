@@ -2,16 +2,15 @@
 
 #include "render/contact_sheet.h"
 #include "src/cli/commands.h"
+#include "src/cli/recording.h"
 #include "src/core/error.h"
-#include "src/record/folder_lock.h"
 
 namespace polargrain {
 
 namespace fs = std::filesystem;
 
 int sheet_command(const SheetRequest& request) {
-    require(fs::is_directory(request.folder), "{}: no such run folder; give the folder that polargrain run has made",
-            request.folder.string());
+    require_run_folder(request.folder);
     const fs::path sheet = request.sheet.value_or(request.folder / "sheet.png");
     require(request.force || !fs::exists(sheet), "{}: is there already; give another name with -o, or --force",
             sheet.string());
@@ -21,8 +20,7 @@ int sheet_command(const SheetRequest& request) {
     if (fs::exists(frames / "000000.png")) {
         contact_sheet(frames, sheet, settings);
     } else {
-        FolderLock::require_finished(request.folder);
-        const TrajectoryReader recording(request.folder / "trajectory.h5");
+        const TrajectoryReader recording = open_recording(request.folder);
         contact_sheet(recording, make_frame_style({}, recording.scene(), recording.title()), sheet, settings);
     }
     fmt::print("{}\n", sheet.string());
