@@ -1,7 +1,5 @@
 #include "src/cli/run_folder.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -57,9 +55,6 @@ void remove_run_files(const fs::path& folder) {
 }
 
 }  // namespace
-
-// Refuses by itself where something is in it; a link to a folder is left alone too.
-void remove_if_empty(const fs::path& folder) { rmdir(folder.c_str()); }
 
 void remove_frames(const fs::path& frames) {
     std::vector<fs::path> drawn;

@@ -31,9 +31,6 @@ FolderLock claim_folder(const std::filesystem::path& folder, const std::function
 /// its files: take a FolderLock first.
 void clear_run_folder(const std::filesystem::path& folder);
 
-/// Removes the folder if there is nothing in it.
-void remove_if_empty(const std::filesystem::path& folder);
-
 /// Removes drawn frames and their index.csv from a folder, nothing else.
 void remove_frames(const std::filesystem::path& frames);
 

@@ -130,6 +130,9 @@ void make_folder(const std::filesystem::path& folder) {
                                folder.string(), failed.message()));
 }
 
+// Refuses by itself where something is in it; a link to a folder is left alone too.
+void remove_if_empty(const std::filesystem::path& folder) { rmdir(folder.c_str()); }
+
 void require_readable(const std::filesystem::path& path) {
     std::error_code status;
     require(std::filesystem::is_regular_file(path, status), "{}: is no file; give the one that a run has written",

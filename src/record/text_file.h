@@ -63,6 +63,9 @@ void check_place(const std::filesystem::path& folder);
 /// be written into it.
 void make_folder(const std::filesystem::path& folder);
 
+/// Removes the folder if there is nothing in it.
+void remove_if_empty(const std::filesystem::path& folder);
+
 /// InputError where there is something else than a file, or one that may not be read.
 void require_readable(const std::filesystem::path& path);
 

@@ -25,11 +25,12 @@ BELOW = {
     "shapes": {"src/core", "src/geometry"},
     "scenarios": {"src/core", "src/geometry", "src/model", "src/detect", "src/observe", "shapes"},
     "render": {"src/core", "src/geometry", "src/model", "src/observe", "src/run", "src/record"},
+    "src/export": {"src/core", "src/geometry", "src/model", "src/run", "src/record", "shapes", "render"},
     "src/compare": {"src/core", "src/geometry", "src/model", "src/observe", "src/run", "src/record", "src/plot"},
     "src/reproduce": {"src/core", "src/geometry", "src/model", "src/detect", "src/engines", "src/run", "src/observe",
                       "src/record", "src/plot", "src/theory", "shapes", "scenarios", "render"},
     "src/cli": {"src/reproduce", "src/core", "src/geometry", "src/model", "src/detect", "src/engines", "src/observe", "src/run", "src/record",
-                "shapes", "scenarios", "render", "src/plot", "src/compare"},
+                "shapes", "scenarios", "render", "src/plot", "src/export", "src/compare"},
 }
 ENGINE_BELOW = {"src/core", "src/geometry", "src/model", "src/detect"}
 BELOW["src/engines/box2d"] = ENGINE_BELOW | {"shapes"}
