@@ -63,6 +63,21 @@ struct RenderRequest {
 };
 int render_command(const RenderRequest& request);
 
+// What ExportRequest::formats may hold.
+inline constexpr const char* k_vtk = "vtk";
+inline constexpr const char* k_csv = "csv";
+
+struct ExportRequest {
+    std::filesystem::path folder;                ///< of a run
+    std::optional<std::filesystem::path> out;    ///< none: export in the folder
+    std::vector<std::string> formats = {k_vtk};  ///< k_vtk, k_csv or both
+    FrameChoice frames;
+    int disk_sides = 32;  ///< of the polygon that stands for a disk
+    bool force = false;
+    bool quiet = false;
+};
+int export_command(const ExportRequest& request);
+
 struct CompareRequest {
     std::string scenario;
     ScenarioOverrides overrides;

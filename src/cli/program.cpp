@@ -134,6 +134,33 @@ void add_render(CLI::App& app, RenderRequest& request, Action& action) {
     command->callback([&] { action = [&] { return render_command(request); }; });
 }
 
+void add_export(CLI::App& app, ExportRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("export", "write a run's frames as files for other programs");
+    command->add_option("DIR", request.folder, "run folder")->required();
+    command->add_option("-o,--output", request.out, "folder; default export in DIR")->type_name("OUT");
+    command->add_option("--format", request.formats, "vtk (for ParaView), csv (grains.csv), or both; default vtk")
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember({k_vtk, k_csv}), "", "");
+    add_frame_choice(*command, request.frames, "export");
+    command->add_option("--sides", request.disk_sides, "sides of the polygon that stands for a disk; default 32")
+        ->type_name("N")
+        ->check(whole_number("number of sides", 3, 1024), "", "");
+    command->add_flag("--force", request.force, "replace the export that is in the folder");
+    command->add_flag("--quiet", request.quiet, "print nothing but errors");
+    command->footer(
+        "Examples:\n"
+        "  polargrain export out/bin-rough\n"
+        "  polargrain export out/bin-rough -o out/bin-vtk --every 10 --from 0.4\n"
+        "  polargrain export out/bin-rough -o out/bin-table --format csv\n"
+        "With vtk, the folder gets grains.pvd, contacts.pvd and walls.pvd, to be opened in ParaView, and the files "
+        "that "
+        "they\n"
+        "name; docs/export.md lists what is in them.");
+    command->callback([&] { action = [&] { return export_command(request); }; });
+}
+
 void add_compare(CLI::App& app, CompareRequest& request, Action& action) {
     CLI::App* command =
         app.add_subcommand("compare", "the same scene through several engines: pictures, plots, verdicts");
@@ -367,6 +394,7 @@ int parse_and_run(int argc, const char* const* argv) {
     RunRequest run;
     ResumeRequest resume;
     RenderRequest render;
+    ExportRequest export_request;
     SweepRequest sweep;
     CheckRequest check;
     CompareRequest compare;
@@ -382,6 +410,7 @@ int parse_and_run(int argc, const char* const* argv) {
     add_run(app, run, action);
     add_resume(app, resume, action);
     add_render(app, render, action);
+    add_export(app, export_request, action);
     add_sweep(app, sweep, action);
     add_check(app, check, action);
     add_compare(app, compare, action);

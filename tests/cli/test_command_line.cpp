@@ -28,6 +28,7 @@ TEST(CommandLine, HelpOfEveryCommandHasExamples) {
                                                       {"run", "--help"},
                                                       {"resume", "--help"},
                                                       {"render", "--help"},
+                                                      {"export", "--help"},
                                                       {"sweep", "--help"},
                                                       {"check", "--help"},
                                                       {"shape", "--help"},
