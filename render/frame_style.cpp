@@ -59,7 +59,7 @@ void add_wall(Bounds& bounds, const Wall& wall) {
         return;
     }
     const auto* shaken = std::get_if<SineMotion>(&wall.motion);
-    for (const Vec2& p : wall.points) bounds.add(p, shaken != nullptr ? std::abs(shaken->amplitude) : 0.0);
+    for (const Vec2& p : points_at_rest(wall)) bounds.add(p, shaken != nullptr ? std::abs(shaken->amplitude) : 0.0);
 }
 
 View whole_view(const Scene& scene, std::optional<int> followed) {

@@ -31,6 +31,7 @@ const std::vector<KeyTable>& all_tables() {
         {"walls", "", {"name", "material", "points", "motion", "remove_at"}},
         {"walls.motion", "sine", {"type", "direction", "amplitude", "frequency", "start"}},
         {"walls.motion", "rotate", {"type", "centre", "rate", "start"}},
+        {"walls.motion", "linear", {"type", "velocity", "start", "end"}},
         {"grains", "", {"shape", "material", "position", "angle", "velocity", "spin"}},
         {"rows", "", {"shape", "material", "count", "start", "step", "angle", "velocity", "spin", "first"}},
         {"rows.first", "", {"shape", "material", "position", "angle", "velocity", "spin"}},

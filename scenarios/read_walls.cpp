@@ -25,13 +25,35 @@ RotationMotion read_rotation(TableReader& table) {
     return motion;
 }
 
+LinearMotion read_linear(TableReader& table) {
+    LinearMotion motion;
+    motion.velocity = table.point("velocity");
+    if (!(motion.velocity.squaredNorm() > 0.0)) {
+        table.fail("velocity", "is zero; give for example [0.1, 0], or leave `motion` out");
+    }
+    motion.start = table.number("start", k_not_negative, 0.0);
+    motion.end = table.optional_number("end", k_not_negative);
+    if (motion.end && *motion.end <= motion.start) {
+        table.fail("end", fmt::format("{} s is not after the start at {} s; give a later time, or leave it out for a "
+                                      "wall that never stops",
+                                      *motion.end, motion.start));
+    }
+    return motion;
+}
+
+WallMotion motion_of_type(const std::string& type, TableReader& table) {
+    if (type == "sine") return read_sine(table);
+    if (type == "rotate") return read_rotation(table);
+    return read_linear(table);
+}
+
 WallMotion read_motion(TableReader& wall) {
     if (wall.raw("motion") == nullptr) return {};
     const std::vector<std::string> types = key_variants("walls.motion");
     const std::string type = wall.untyped_table("motion").variant("type", types);
     TableReader table = wall.table("motion", key_table("walls.motion", type));
     table.choice("type", types);
-    WallMotion motion = type == "sine" ? WallMotion{read_sine(table)} : WallMotion{read_rotation(table)};
+    WallMotion motion = motion_of_type(type, table);
     wall.adopt("motion", table);
     return motion;
 }

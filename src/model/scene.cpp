@@ -63,7 +63,7 @@ Drop largest_drop(const Scene& scene) {
     }
     // Walls bound the fall from below: grains leaving a bin drop to the end of the walls at least.
     for (const Wall& wall : scene.walls) {
-        for (const Vec2& p : wall.points) lowest = std::min(lowest, up.dot(p));
+        for (const Vec2& p : points_at_rest(wall)) lowest = std::min(lowest, up.dot(p));
     }
     return {lowest, std::max(0.0, highest - lowest)};
 }

@@ -39,7 +39,7 @@ std::pair<double, double> wall_width(const Scene& scene) {
     double left = std::numeric_limits<double>::infinity();
     double right = -left;
     for (const Wall& wall : scene.walls) {
-        for (const Vec2& p : wall.points) {
+        for (const Vec2& p : points_at_rest(wall)) {
             left = std::min(left, across.dot(p));
             right = std::max(right, across.dot(p));
         }
@@ -52,7 +52,7 @@ std::optional<double> outlet_height(const Scene& scene) {
     const Vec2 up = upwards(scene);
     double lowest = std::numeric_limits<double>::infinity();
     for (const Wall& wall : scene.walls) {
-        for (const Vec2& p : wall.points) lowest = std::min(lowest, up.dot(p));
+        for (const Vec2& p : points_at_rest(wall)) lowest = std::min(lowest, up.dot(p));
     }
     return lowest;
 }

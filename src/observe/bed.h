@@ -10,7 +10,7 @@ namespace polargrain {
 /// Unit vector against gravity; upwards (y) without gravity.
 Vec2 upwards(const Scene& scene);
 
-/// Height of the lowest wall point at time zero [m], heights counted from the origin against gravity.
+/// Height of the lowest wall point at rest (see points_at_rest) [m], heights counted from the origin against gravity.
 /// None without walls or without gravity: then nothing can be out.
 std::optional<double> outlet_height(const Scene& scene);
 

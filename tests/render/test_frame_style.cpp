@@ -34,6 +34,14 @@ TEST(FrameStyleOfAScene, AFollowedWallCountsWhereItIsAtRest) {
     EXPECT_THROW(make_frame_style(settings, scene, ""), InputError);
 }
 
+TEST(FrameStyleOfAScene, ShowsWhereAWallStops) {
+    Scene scene;
+    scene.walls.push_back({"gate", 0, {{0.0, 0.0}, {1.0, 1.0}}, LinearMotion{{0.0, 2.0}, 0.5, 3.0}, {}});
+    EXPECT_GT(make_frame_style({}, scene, "").view.upper.y(), 6.0);
+    scene.walls[0].motion = LinearMotion{{0.0, 2.0}, 0.5, std::nullopt};
+    EXPECT_LT(make_frame_style({}, scene, "").view.upper.y(), 1.1) << "nobody knows how far it goes";
+}
+
 TEST(FrameStyleOfAScene, TakesTheViewThatIsGiven) {
     FrameSettings settings;
     settings.view = {Vec2(-1.0, 0.5), Vec2(2.0, 1.5)};

@@ -115,6 +115,16 @@ name = "drum"
 material = "rubber"
 points = [[0, -3], [1, -3]]
 motion = { type = "rotate", centre = [1, 2], rate = -6.0, start = 0.5 }
+[[walls]]
+name = "gate"
+material = "rubber"
+points = [[0, -5], [1, -5]]
+motion = { type = "linear", velocity = [0.25, -3], start = 0.5, end = 0.75 }
+[[walls]]
+name = "belt"
+material = "rubber"
+points = [[0, -7], [1, -7]]
+motion = { type = "linear", velocity = [0, 1] }
 )");
     const auto& sine = std::get<SineMotion>(scenario.scene.walls[1].motion);
     EXPECT_NEAR((sine.direction - Vec2(0.6, 0.8)).norm(), 0.0, 1e-15);
@@ -127,6 +137,17 @@ motion = { type = "rotate", centre = [1, 2], rate = -6.0, start = 0.5 }
     EXPECT_EQ(turn.rate, -6.0);
     EXPECT_EQ(turn.start, 0.5);
     EXPECT_FALSE(scenario.scene.walls[2].remove_at.has_value());
+    const auto& linear = std::get<LinearMotion>(scenario.scene.walls[3].motion);
+    EXPECT_EQ(linear.velocity, Vec2(0.25, -3));
+    EXPECT_EQ(linear.start, 0.5);
+    EXPECT_EQ(linear.end, 0.75);
+    const auto& endless = std::get<LinearMotion>(scenario.scene.walls[4].motion);
+    EXPECT_EQ(endless.start, 0.0);
+    EXPECT_FALSE(endless.end.has_value());
+    const Scenario again = load_text(scenario.resolved_toml);
+    EXPECT_EQ(again.resolved_toml, scenario.resolved_toml);
+    EXPECT_EQ(std::get<LinearMotion>(again.scene.walls[3].motion).end, 0.75);
+    EXPECT_FALSE(std::get<LinearMotion>(again.scene.walls[4].motion).end.has_value());
 }
 
 TEST(Values, TheFirstOfARowMayDifferInEveryKey) {
