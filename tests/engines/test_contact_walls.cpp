@@ -204,6 +204,147 @@ TEST(SinkingFloor, BearsTheWholeWeightOfASmoothBed) {
     }
 }
 
+/// A disk at rest on a floor.
+Scene disk_on_a_floor(double restitution, const LinearMotion& motion) {
+    Scene scene = testing::empty_scene(restitution, 0.3);
+    testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}}, motion);
+    scene.add(Grain{testing::add_disk(scene, 0.5 * k_d), 0, {0.0, 0.5 * k_d}});
+    return scene;
+}
+
+/// Wherever in a step, and in a sub-step, the floor starts and stops.
+class FloorThatJumps : public ::testing::TestWithParam<double> {};
+
+constexpr double k_step = 1e-3;
+
+TEST_P(FloorThatJumps, StrikesADiskWithAllOfItsSpeed) {
+    const double v = 0.5;
+    const double start = (100.0 + GetParam()) * k_step;
+    for (const double e : {0.0, 0.6, 1.0}) {
+        Running sim(make_contact, disk_on_a_floor(e, {{0.0, v}, start, start + 20.3 * k_step}));
+        // The blow falls at the beginning of the sub-step, so that one that does not bounce is a little ahead at first.
+        const double until = e > 0.0 ? 0.102 : 0.119;
+        sim.run(until, k_step);
+        const double mass = sim.scene.grains.mass[0];
+        const double since = until - start;
+        const double after = (1.0 + e) * v - (e > 0.0 ? k_g * since : 0.0);
+        const double work = mass * v * (1.0 + e) * v + (e > 0.0 ? 0.0 : mass * k_g * v * since);
+        fmt::print("e {}: {:.5f} m/s (exact {:.5f}), work {:.6f} J/m ({:.6f})\n", e, sim.world.grains.vy[0], after,
+                   sim.ledger.wall_work, work);
+        EXPECT_NEAR(sim.world.grains.vy[0], after, k_g * k_step / 8.0);
+        EXPECT_NEAR(sim.ledger.wall_work / work, 1.0, 2e-3);
+        EXPECT_NEAR(sim.ledger.restitution_loss / (0.5 * mass * v * v), 1.0 - e * e, 1e-2);
+        EXPECT_EQ(sim.report.deepest, 0.0);
+        EXPECT_LT(sim.ledger_error, 1e-14);
+    }
+}
+
+TEST_P(FloorThatJumps, LetsADiskGoOnAsHighAsItsSpeedTakesItAndComesToRestUnderIt) {
+    const double v = 0.6;
+    const double start = 100.4 * k_step;
+    const double end = (300.0 + GetParam()) * k_step;
+    Running sim(make_contact, disk_on_a_floor(0.0, {{0.0, v}, start, end}));
+    const double resting = 1e-3 * k_d;
+    double highest = 0.0;
+    double deepest = 0.0;
+    double carried = 0.0;  // largest distance from the floor while it rises
+    sim.run(0.8, k_step, [&] {
+        const double floor = wall_state(sim.scene.walls[0], sim.world.time).pose.centre.y();
+        const double gap = sim.world.grains.y[0] - 0.5 * k_d - floor;
+        highest = std::max(highest, sim.world.grains.y[0] - 0.5 * k_d);
+        deepest = std::max(deepest, sim.report.deepest);
+        if (sim.world.time > 0.2 && sim.world.time < end) carried = std::max(carried, std::abs(gap - resting));
+    });
+    const double exact = resting + v * (end - start) + v * v / (2.0 * k_g);
+    const double mass = sim.scene.grains.mass[0];
+    const double work = mass * v * (v + k_g * (end - start));
+    fmt::print("{:.7f} m high (exact {:.7f}), at last {:.2g} m from the floor, work {:.6f} J/m ({:.6f})\n", highest,
+               exact, sim.world.grains.y[0] - 0.5 * k_d - v * (end - start), sim.ledger.wall_work, work);
+    EXPECT_NEAR(highest, exact, 0.13 * v * k_step) << "a sub-step of way";
+    EXPECT_LT(carried, 1e-3 * resting);
+    EXPECT_EQ(deepest, 0.0);
+    EXPECT_NEAR(sim.world.grains.y[0] - 0.5 * k_d - v * (end - start), resting, 5e-2 * resting);
+    EXPECT_EQ(sim.world.grains.vy[0], 0.0) << "a floor that has stopped lets rest to the last bit";
+    EXPECT_NEAR(-sim.wall_force(0, k_step).y() / sim.weight(), 1.0, 1e-6);
+    EXPECT_NEAR(sim.ledger.wall_work / work, 1.0, 1e-3);
+    EXPECT_LT(sim.ledger_error, 1e-14);
+    EXPECT_LT(sim.ledger.rises, 1e-13);
+}
+
+TEST_P(FloorThatJumps, ThatSinksIsCaughtUpWithAndLeavesNoGap) {
+    const double v = 0.4;
+    const double start = (100.0 + GetParam()) * k_step;
+    const double end = (400.0 + GetParam()) * k_step;
+    Running sim(make_contact, disk_on_a_floor(0.0, {{0.0, -v}, start, end}));
+    double deepest = 0.0;
+    const auto look = [&] { deepest = std::max(deepest, sim.report.deepest); };
+    // Falls freely until 2 v / g after the start, lands with v relative to the floor, and rides on.
+    sim.run(0.18, k_step, look);
+    const double fallen = -0.5 * k_g * (0.18 - start) * (0.18 - start);
+    EXPECT_NEAR(sim.world.grains.y[0] - (0.5 + 1e-3) * k_d, fallen, 0.13 * k_step * k_g * (0.18 - start));
+    sim.run(0.399, k_step, look);
+    EXPECT_NEAR(sim.world.grains.vy[0], -v, 1e-6);
+    sim.run(0.45, k_step, look);
+    EXPECT_NEAR(sim.world.grains.y[0] - 0.5 * k_d + v * (end - start), 1e-3 * k_d, 1e-5 * k_d);
+    EXPECT_EQ(sim.world.grains.vy[0], 0.0);
+    EXPECT_EQ(deepest, 0.0);
+    EXPECT_LT(sim.ledger_error, 1e-14);
+}
+
+/// A disk that goes along with a wall, to which that is a jump of the same kind as a start.
+TEST_P(FloorThatJumps, StopsADiskThatRidesBehindItWithItsRestitution) {
+    const double v = 0.4;
+    for (const double e : {0.5, 1.0}) {
+        Scene scene = disk_on_a_floor(e, {{0.0, -v}, 0.0, (400.0 + GetParam()) * k_step});
+        scene.gravity = Vec2::Zero();
+        scene.grains.set_velocity(0, {0.0, -v});
+        Running sim(make_contact, std::move(scene));
+        double deepest = 0.0;
+        sim.run(0.42, k_step, [&] { deepest = std::max(deepest, sim.report.deepest); });
+        fmt::print("comes back at {:.6f} v\n", sim.world.grains.vy[0] / v);
+        EXPECT_NEAR(sim.world.grains.vy[0] / v, e, 1e-9);
+        EXPECT_EQ(sim.ledger.wall_work, 0.0) << "the wall stands when it is hit";
+        EXPECT_EQ(deepest, 0.0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(PartsOfAStep, FloorThatJumps, ::testing::Values(0.0, 0.01, 0.0625, 0.3, 0.5, 0.77, 0.99));
+
+/// A bed at rest to the last bit, whose steps are left out, is woken by a piston and left alone by it again.
+TEST(Piston, WakesABedAndLetsItComeToRestAgain) {
+    const std::uint64_t seed = 4;
+    Scene scene = testing::pour(PourShape::rough, 60, seed, 0.3, 0.4, 8);
+    const double start = 2.0003;
+    const double end = 2.2506;
+    testing::add_wall(scene, "piston", {{-0.001, 1.0}, {-0.001, -0.1}}, LinearMotion{{0.1, 0.0}, start, end});
+    Running sim(make_contact, scene);
+    const double dt = 5e-4;
+    const auto middle = [&] {
+        double x = 0.0;
+        for (const double of_grain : sim.world.grains.x) x += of_grain / sim.world.grains.size();
+        return x;
+    };
+    sim.run(2.0, dt);
+    EXPECT_EQ(sim.restlessness(k_d), 0.0);
+    const double before = middle();
+    const double work_before = sim.ledger.wall_work;
+    double deepest = 0.0;
+    double restless = 0.0;
+    sim.run(end, dt, [&] { restless = std::max(restless, sim.restlessness(k_d)); });
+    sim.run(6.0, dt, [&] { deepest = std::max(deepest, sim.report.deepest); });
+    fmt::print("seed {}: pushed by {:.4f} m, work {:.4f} J/m, deepest {:.2g} m, rises {:.2g} E0, ledger {:.2g} E0\n",
+               seed, middle() - before, sim.ledger.wall_work, deepest, sim.ledger.rises / sim.start_energy,
+               sim.ledger_error / sim.start_energy);
+    EXPECT_EQ(work_before, 0.0);
+    EXPECT_GT(restless, 1e-4);
+    EXPECT_GT(middle() - before, 0.005);
+    EXPECT_GT(sim.ledger.wall_work, 0.0);
+    EXPECT_EQ(sim.restlessness(k_d), 0.0);
+    EXPECT_EQ(testing::count_overlaps(sim.scene, sim.world.grains, sim.world.time, 1e-9), 0);
+    EXPECT_LT(sim.ledger.rises, 1e-9 * sim.start_energy);
+    EXPECT_LT(sim.ledger_error, 1e-12 * sim.start_energy);
+}
+
 TEST(Plug, OnceRemovedLetsItsGrainsFallFreely) {
     Scene scene = testing::empty_scene(0.2, 0.2);
     testing::add_wall(scene, "plug", {{-1.0, 0.0}, {1.0, 0.0}});

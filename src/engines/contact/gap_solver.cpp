@@ -32,7 +32,7 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
     const double usual = static_cast<double>(effort.sub_steps()) / k_usual.sub_steps();
     scale_impulses(contacts, 1.0 / usual);
     prepare(contacts, bodies);
-    find_moving_walls(contacts);
+    find_moving_walls(contacts, time, dt);
     grains_ = bodies.size();
     bodies_ = bodies;
     const std::array<std::function<void()>, 2> both{[&] { lanes_.lay_out(contacts, start.centre, bodies_); },
@@ -42,7 +42,7 @@ void GapSolver::advance(std::vector<GapContact>& contacts, std::vector<SolverBod
     impacts_.find_all_closing(closing_);
     const double h = dt / effort.sub_steps();
     for (int s = 0; s < effort.sub_steps(); ++s) {
-        set_wall_velocities(contacts, time + (s + 0.5) * h);
+        set_wall_velocities(contacts, time + (s + 0.5) * h, h);
         impacts_.run(closing_, h);
         lasting(contacts, h, effort, s == 0);
         keep_energy(contacts, h);
@@ -74,22 +74,43 @@ void GapSolver::prepare(std::vector<GapContact>& contacts, const std::vector<Sol
     });
 }
 
-/// Contacts with walls that move: their speeds change from sub-step to sub-step, and they do work.
-void GapSolver::find_moving_walls(const std::vector<GapContact>& contacts) {
+/// Contacts with walls that move in the step: their speeds change from sub-step to sub-step, and they do work.
+void GapSolver::find_moving_walls(std::vector<GapContact>& contacts, double time, double dt) {
     moving_.clear();
     for (std::size_t k = first_with_wall(contacts); k < contacts.size(); ++k) {
-        if (scene_.walls[static_cast<std::size_t>(wall_index(contacts[k].j))].moves()) moving_.push_back(k);
+        if (moves_between(wall_of(contacts[k]), time, time + dt)) {
+            moving_.push_back(k);
+        } else {
+            contacts[k].wall_velocity = Vec2::Zero();  // where a step has been taken back, it may have moved later on
+        }
     }
 }
 
-void GapSolver::set_wall_velocities(std::vector<GapContact>& contacts, double time) {
+/// For the sub-step of length h about the time `middle`.
+void GapSolver::set_wall_velocities(std::vector<GapContact>& contacts, double middle, double h) {
     for (const std::size_t k : moving_) {
         GapContact& c = contacts[k];
-        const Wall& wall = scene_.walls[static_cast<std::size_t>(wall_index(c.j))];
-        c.wall_velocity = wall_state(wall, time).velocity_at(c.point);
+        c.wall_velocity = wall_state_over(wall_of(c), middle, h).velocity_at(c.point);
+        foresee_strike(k, c, middle, h);
         lanes_.wall_body_of(k, bodies_).velocity = c.wall_velocity;
         closing_.push_back(static_cast<std::int32_t>(k));  // it may have become faster since it was looked at
     }
+}
+
+/// A wall that starts or stops within the sub-step goes its way with its mean velocity. But one that comes on faster
+/// from then on strikes with its velocity after that, and from as much farther away as it would else come too near.
+void GapSolver::foresee_strike(std::size_t contact, GapContact& c, double middle, double h) {
+    const Wall& wall = wall_of(c);
+    if (!starts_or_ends(wall, middle, h)) return;
+    const Vec2 after = wall_state(wall, middle + 0.5 * h).velocity_at(c.point);
+    const double faster = (after - c.wall_velocity).dot(c.normal);
+    if (faster <= 0.0) return;
+    c.wall_velocity = after;
+    lanes_.widen(contact, h * faster);
+}
+
+const Wall& GapSolver::wall_of(const GapContact& c) const {
+    return scene_.walls[static_cast<std::size_t>(wall_index(c.j))];
 }
 
 // --- lasting contacts ---

@@ -92,8 +92,10 @@ private:
     };
 
     void prepare(std::vector<GapContact>& contacts, const std::vector<SolverBody>& bodies) const;
-    void find_moving_walls(const std::vector<GapContact>& contacts);
-    void set_wall_velocities(std::vector<GapContact>& contacts, double time);
+    void find_moving_walls(std::vector<GapContact>& contacts, double time, double dt);
+    void set_wall_velocities(std::vector<GapContact>& contacts, double middle, double h);
+    void foresee_strike(std::size_t contact, GapContact& c, double middle, double h);
+    const Wall& wall_of(const GapContact& c) const;
 
     void lasting(std::vector<GapContact>& contacts, double h, const StepEffort& effort, bool first);
     void solve(std::vector<GapContact>& contacts, double h, const StepEffort& effort, bool first);

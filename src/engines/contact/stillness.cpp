@@ -21,7 +21,7 @@ bool same_contact(const GapContact& p, const GapContact& q) {
 /// Are the walls the same, and at rest, in all steps from `time` to the end of the next but one?
 bool walls_stay(const Scene& scene, double time, double end) {
     return std::all_of(scene.walls.begin(), scene.walls.end(), [&](const Wall& wall) {
-        return wall.present(time) == wall.present(end) && !(wall.moves() && wall.present(time));
+        return wall.present(time) == wall.present(end) && !(wall.present(time) && moves_between(wall, time, end));
     });
 }
 
