@@ -238,6 +238,36 @@ TEST(MovingWall, DoesTheWorkThatTheBooksSay) {
     EXPECT_LT(sim.ledger_error, 1e-12 * sim.start_energy);
 }
 
+/// A disk on the spring between it and a lift: as the force hardly changes within a step of the scheme, the lift's work
+/// grows evenly with the time at which it stops, and not by steps.
+TEST(MovingWall, WorksOnAllOfItsWayWhereItStopsWithinAStep) {
+    const double v = 2e-3;  // so slow that its way in a step hardly changes the force
+    const double dt = 1e-3;
+    std::vector<double> work;
+    double unit = 0.0;  // the work against the weight in a step
+    for (int k = 0; k <= 20; ++k) {
+        Scene scene = testing::empty_scene(1.0, 0.0);
+        testing::add_wall(scene, "lift", {{-1.0, 0.0}, {1.0, 0.0}});
+        scene.add(Grain{testing::add_disk(scene, 0.01), 0, {0.0, 0.01}, 0.0, {0.0, v}});
+        scene.walls[0].motion = LinearMotion{{0.0, v}, 0.0, 1.0};
+        const double h = dt / testing::make_default_dem(scene)->parts_of_step(dt);
+        scene.walls[0].motion = LinearMotion{{0.0, v}, 0.0, 0.3 + (25.0 + 0.1 * k) * h};
+        Running sim(testing::make_default_dem, scene);
+        sim.run(0.31, dt);
+        work.push_back(sim.ledger.wall_work);
+        unit = sim.weight() * v * h;
+        EXPECT_LT(sim.ledger_error, 1e-14);
+    }
+    double worst = 0.0;
+    for (std::size_t k = 0; k < work.size(); ++k) {
+        const double even = work.front() + (work.back() - work.front()) * static_cast<double>(k) / 20.0;
+        worst = std::max(worst, std::abs(work[k] - even) / unit);
+    }
+    fmt::print("{:.3g} in two steps, uneven by {:.2g} (of the work against the weight in a step)\n",
+               (work.back() - work.front()) / unit, worst);
+    EXPECT_LT(worst, 0.05);
+}
+
 TEST(MovingWall, DoesTheSameWorkAfterAResumption) {
     Scene scene = testing::empty_scene(0.4, 0.3);
     testing::add_wall(scene, "table", {{-1.0, 0.0}, {1.0, 0.0}});

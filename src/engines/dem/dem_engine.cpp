@@ -48,11 +48,11 @@ public:
 
     void step(World& world, double dt, StepReport& report) override {
         report.clear(scene_.walls.size());
-        system_.set_step(world.step);
-        if (world.step % k_look_every == 0 && system_.is_scattered()) renumber(world.grains);
-        read(world);
         const auto parts = static_cast<std::int64_t>(parts_of_step(dt));
         const double h = dt / static_cast<double>(parts);
+        system_.set_step(world.step, h);
+        if (world.step % k_look_every == 0 && system_.is_scattered()) renumber(world.grains);
+        read(world);
         const StoredEnergy stored_before = system_.turnover().stored;
         const double on_loan_before = on_loan(world.grains, h);
         const double energy_before = energy(world.grains, scene_.gravity).total();

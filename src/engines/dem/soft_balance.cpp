@@ -77,7 +77,7 @@ double SoftSystem::way_of(const SoftContact& old, const Shift& a, const Shift& b
         return Vec2(shift.way + cross(shift.turn, Vec2(old.point - place(from, grain))));
     };
     if (!is_wall(old.a)) return (way(old.b, b) - way(old.a, a)).dot(old.normal);
-    const Motion& wall = walls_.motion_before(old.a);
+    const Motion& wall = walls_.going_at_first(old.a);
     return (way(old.b, b) - dt * (wall.velocity + cross(wall.spin, old.point))).dot(old.normal);
 }
 

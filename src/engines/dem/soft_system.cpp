@@ -250,7 +250,8 @@ void SoftSystem::add_contact(Share& share, BodyIndex a, BodyIndex b, const Touch
         const Vec2 wall_velocity = wall.velocity + cross(wall.spin, touch.point);
         relative -= wall_velocity;
         spin -= wall.spin;
-        way -= (time_ - accepted_time_) * wall_velocity;
+        const Motion& going = walls_.going(a);
+        way -= (time_ - accepted_time_) * (going.velocity + cross(going.spin, touch.point));
     } else {
         arm_a = touch.point - place(x, a);
         relative -= velocity_at(v, a, arm_a);

@@ -26,8 +26,12 @@ public:
 
     std::size_t size() const { return 3 * bodies_.size(); }
     double longest_step() const { return laws_.longest_step(); }
-    /// Number of the engine's step, from which random restitutions are drawn.
-    void set_step(std::int64_t step) { step_ = step; }
+    /// Number of the engine's step, from which random restitutions are drawn, and length of the scheme's steps in it
+    /// [s].
+    void set_step(std::int64_t step, double length) {
+        step_ = step;
+        walls_.set_step(length);
+    }
 
     /// [m/s^2] and [rad/s^2], into `a`.
     void accelerations(double time, std::span<const double> x, std::span<const double> v, std::span<double> a);

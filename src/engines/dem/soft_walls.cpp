@@ -24,8 +24,9 @@ SoftWalls::SoftWalls(const Scene& scene) : scene_(scene) {
         enter(w);
     }
     present_.assign(scene.walls.size(), 0);
-    motions_.assign(scene.walls.size(), Motion{});
-    before_ = motions_;
+    now_.assign(scene.walls.size(), Motion{});
+    motions_ = now_;
+    ways_.assign(scene.walls.size(), Way{});
 }
 
 void SoftWalls::enter(int wall) {
@@ -55,11 +56,15 @@ void SoftWalls::place(double time) {
     for (std::size_t w = 0; w < scene_.walls.size(); ++w) present_[w] = scene_.walls[w].present(time) ? 1 : 0;
     if (placed_ && !any_moves_) return;
     placed_ = true;
-    before_ = motions_;
     std::vector<WallState> states;
     for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
-        states.push_back(wall_state(scene_.walls[w], time));
-        motions_[w] = wall_motion(states[w]);
+        const Wall& wall = scene_.walls[w];
+        states.push_back(wall_state(wall, time));
+        const Motion before = now_[w];
+        now_[w] = wall_motion(states[w]);
+        const bool jumps = starts_or_ends(wall, time, 2.0 * step_);
+        motions_[w] = jumps ? wall_motion(wall_state_over(wall, time, 2.0 * step_)) : now_[w];
+        ways_[w] = way_of(wall, before, now_[w], time);
     }
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
         SoftPiece& piece = pieces_[k];
@@ -69,6 +74,14 @@ void SoftWalls::place(double time) {
         piece.length = std::sqrt((piece.b - piece.a).squaredNorm());
         piece.along = (piece.b - piece.a) / piece.length;
     }
+}
+
+SoftWalls::Way SoftWalls::way_of(const Wall& wall, const Motion& before, const Motion& now, double time) const {
+    constexpr double k_wider = 1.5;  // velocities at the ends of the step are not to be trusted near a jump either
+    const double middle = time - 0.5 * step_;
+    if (!starts_or_ends(wall, middle, k_wider * step_)) return {before, now};
+    const Motion mean = wall_motion(wall_state_over(wall, middle, step_));
+    return {mean, mean};
 }
 
 ChainTouch touch_chain(const std::vector<SoftPiece>& pieces, std::size_t k, const Vec2& centre) {
