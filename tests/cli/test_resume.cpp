@@ -50,6 +50,12 @@ material = "stone"
 points = [[0.03, 0.0], [0.06, 0.0], [0.06, 0.2]]
 motion = { type = "sine", direction = [0, 1], amplitude = 1e-3, frequency = 50.0 }
 
+[[walls]]
+name = "plunger"
+material = "stone"
+points = [[0.06, 0.081], [0.0, 0.081]]
+motion = { type = "linear", velocity = [0, -2.0], start = 0.00235, end = 0.00985 }
+
 [[fill]]
 count = 12
 shapes = ["star"]
