@@ -49,6 +49,25 @@ std::string state_hash(const World& world) {
     return hash.hex();
 }
 
+namespace {
+
+/// How far a wall carries against gravity what lies on it [m], as far as its motion comes to an end. Along itself it
+/// carries nothing.
+double lift(const Wall& wall, const Vec2& up) {
+    const std::vector<Vec2> points = points_at_rest(wall);
+    if (points.size() == wall.points.size()) return 0.0;
+    const Vec2 way = points[wall.points.size()] - points.front();
+    constexpr double k_along = 1e-9;  // sine of an angle
+    for (std::size_t k = 1; k < wall.points.size(); ++k) {
+        const Vec2 piece = points[k] - points[k - 1];
+        const double sideways = std::abs(cross(way, piece));
+        if (sideways > k_along * std::sqrt(way.squaredNorm() * piece.squaredNorm())) return std::max(0.0, up.dot(way));
+    }
+    return 0.0;
+}
+
+}  // namespace
+
 Drop largest_drop(const Scene& scene) {
     const double g = std::sqrt(scene.gravity.squaredNorm());
     if (g == 0.0) return {};
@@ -62,10 +81,12 @@ Drop largest_drop(const Scene& scene) {
         highest = std::max(highest, centre + reach);
     }
     // Walls bound the fall from below: grains leaving a bin drop to the end of the walls at least.
+    double lifted = 0.0;
     for (const Wall& wall : scene.walls) {
         for (const Vec2& p : points_at_rest(wall)) lowest = std::min(lowest, up.dot(p));
+        lifted = std::max(lifted, lift(wall, up));
     }
-    return {lowest, std::max(0.0, highest - lowest)};
+    return {lowest, std::max(0.0, highest + lifted - lowest)};
 }
 
 double largest_speed(const Scene& scene) {

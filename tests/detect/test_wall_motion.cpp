@@ -69,15 +69,20 @@ TEST(WallMotion, OverStepsAddsUpToTheWay) {
     EXPECT_EQ(wall_state_over(shaker, 0.003, 1e-3).velocity, wall_state(shaker, 0.003).velocity);
 }
 
-TEST(LargestDrop, GoesDownToWhereAWallStops) {
+TEST(LargestDrop, GoesFromWhereAWallLiftsToWhereOneStops) {
     Scene scene = testing::empty_scene(0.5, 0.3);
     testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}}, LinearMotion{{0.0, -0.2}, 1.0, 3.0});
     scene.add(Grain{testing::add_disk(scene, 0.01), 0, {0.0, 0.01}});
     EXPECT_DOUBLE_EQ(largest_drop(scene).lowest, -0.4);
     EXPECT_DOUBLE_EQ(largest_drop(scene).height, 0.42);
     EXPECT_DOUBLE_EQ(largest_speed(scene), std::sqrt(2.0 * 9.81 * 0.42) + 0.2);
-    scene.walls[0].motion = LinearMotion{{0.0, 0.2}, 1.0, 3.0};
+    scene.walls[0].motion = LinearMotion{{0.1, 0.2}, 1.0, 3.0};
+    EXPECT_DOUBLE_EQ(largest_drop(scene).lowest, 0.0);
+    EXPECT_DOUBLE_EQ(largest_drop(scene).height, 0.42) << "what is lifted may fall down again";
+    scene.walls[0].motion = LinearMotion{{0.2, 0.0}, 1.0, 3.0};
     EXPECT_DOUBLE_EQ(largest_drop(scene).height, 0.02);
+    testing::add_wall(scene, "gate", {{0.0, 0.0}, {0.0, 1.0}}, LinearMotion{{0.0, 0.2}, 1.0, 3.0});
+    EXPECT_DOUBLE_EQ(largest_drop(scene).height, 0.02) << "a gate that goes along itself lifts nothing";
 }
 
 }  // namespace
