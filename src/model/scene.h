@@ -54,8 +54,8 @@ std::string state_hash(const World& world);
 
 /// Extent of a scene along gravity: what can fall how far.
 struct Drop {
-    double lowest = 0.0;  ///< least height of any wall point or grain [m], heights measured against gravity
-    double height = 0.0;  ///< H: largest possible drop of a grain [m]
+    double lowest = 0.0;  ///< least height of any wall point at rest or grain [m], heights measured against gravity
+    double height = 0.0;  ///< H: largest possible drop of a grain [m], also of one that a wall lifts until it stops
 };
 
 Drop largest_drop(const Scene& scene);
