@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
+#include <vector>
 
+#include "src/engines/contact/contact_checkpoint.h"
+#include "src/engines/contact/contact_report.h"
 #include "src/engines/contact/energy_guard.h"
 #include "src/engines/contact/gap_detection.h"
 #include "src/engines/contact/gap_solver.h"
 #include "src/engines/contact/position_correction.h"
 #include "src/engines/contact/rejection.h"
 #include "src/engines/contact/repair.h"
+#include "src/engines/contact/step_memory.h"
 #include "src/engines/contact/stillness.h"
 
 namespace polargrain {
@@ -76,7 +79,8 @@ private:
     /// halves, as what it could not foresee grows with the square of dt. Only parts of dt / 2^k_most_halvings reject.
     void advance(std::int64_t step, double time, double dt, int halvings, StepReport& report) {
         forget_removed_walls(time);
-        remember(report);
+        memory_.keep(bodies_, contacts_, report);
+        const double opening_before = opening_left_;
         const double energy_before = energy_at(before_);
         granted_ = 0.0;
         trial_.centre = before_.centre;
@@ -88,7 +92,8 @@ private:
         detection_.detect(before_, trial_, bodies_, time, time + dt, dt);
         repair(dt, report);
         if (overlapping_ > 0 && halvings < k_most_halvings) {
-            take_back(report);
+            memory_.take_back(bodies_, contacts_, report);
+            opening_left_ = opening_before;
             // First guesses are impulses of a sub-step: of the same force, a shorter one takes less. A bed at rest that
             // had halved its steps once would otherwise begin each full step with a fraction of its forces, sink,
             // overlap, and halve again. (In a collapse forces do not last, and larger guesses only make grains
@@ -102,7 +107,7 @@ private:
         }
         reject(report);
         guard(energy_before, report);
-        report_contacts(report);
+        report_contacts(contacts_, parallel_, report);
         hand_over_contacts();
         std::swap(before_, trial_);
     }
@@ -115,49 +120,6 @@ private:
             return *this;
         }
     };
-
-    /// What the solver changes of a contact.
-    struct Remembered {
-        Vec2 point, normal;
-        double gap, normal_impulse, tangent_impulse, low, high;
-    };
-
-    void remember(const StepReport& report) {
-        bodies_remembered_ = bodies_;
-        contacts_remembered_.resize(contacts_.size());
-        parallel_.runs(contacts_.size(), k_run, [&](std::size_t first, std::size_t last) {
-            for (std::size_t k = first; k < last; ++k) {
-                const GapContact& c = contacts_[k];
-                contacts_remembered_[k] = {c.point,           c.normal, c.gap, c.normal_impulse,
-                                           c.tangent_impulse, c.low,    c.high};
-            }
-        });
-        ledger_remembered_ = report.ledger;
-        walls_remembered_ = report.walls;
-        impacts_remembered_ = report.impacts;
-        records_remembered_ = report.impact_records.size();
-        opening_remembered_ = opening_left_;
-    }
-
-    void take_back(StepReport& report) {
-        bodies_ = bodies_remembered_;
-        for (std::size_t k = 0; k < contacts_.size(); ++k) {
-            const Remembered& r = contacts_remembered_[k];
-            GapContact& c = contacts_[k];
-            c.point = r.point;
-            c.normal = r.normal;
-            c.gap = r.gap;
-            c.normal_impulse = r.normal_impulse;
-            c.tangent_impulse = r.tangent_impulse;
-            c.low = r.low;
-            c.high = r.high;
-        }
-        report.ledger = ledger_remembered_;
-        report.walls = walls_remembered_;
-        report.impacts = impacts_remembered_;
-        report.impact_records.resize(records_remembered_);
-        opening_left_ = opening_remembered_;
-    }
 
     /// Is the bed slow, in the mean? Then its forces last from step to step.
     bool settling(double dt) const {
@@ -255,7 +217,7 @@ private:
     }
 
     double energy_at(const PoseSet& poses) const { return total_energy(bodies_, poses, scene_.gravity, parallel_); }
-    double wall_work(const StepReport& report) const { return report.ledger.wall_work - ledger_remembered_.wall_work; }
+    double wall_work(const StepReport& report) const { return report.ledger.wall_work - memory_.ledger().wall_work; }
 
     /// The correction may spend half of what the step has dissipated, and a little of its own, which comes to an end:
     /// bodies that start without any gap between them could otherwise never get their resting gaps. That little is
@@ -301,7 +263,7 @@ private:
 
     void guard(double energy_before, StepReport& report) {
         EnergyLedger& ledger = report.ledger;
-        const EnergyLedger& was = ledger_remembered_;
+        const EnergyLedger& was = memory_.ledger();
         const double allowed = energy_before + wall_work(report) + granted_;
         double now = energy_at(trial_);
         now -= guard_energy(bodies_, now - allowed);
@@ -323,52 +285,13 @@ private:
                 world.grains.spin[k] = bodies_[k].spin;
             }
         });
-        const auto by_bodies = [](const Contact& p, const Contact& q) {
-            return p.a < q.a || (p.a == q.a && p.b < q.b);
-        };
-        // As a rule those of walls come first, and those of grains are in order already.
-        const auto with_wall = [](const Contact& c) { return is_wall(c.a); };
-        auto& all = report.contacts;
-        if (!std::is_partitioned(all.begin(), all.end(), with_wall)) {
-            std::stable_partition(all.begin(), all.end(), with_wall);
-        }
-        const auto grains = std::partition_point(all.begin(), all.end(), with_wall);
-        std::stable_sort(all.begin(), grains, by_bodies);
-        if (!std::is_sorted(grains, all.end(), by_bodies)) std::stable_sort(grains, all.end(), by_bodies);
+        sort_reported(report);
         const Deepest deepest = parallel_.sum(contacts_.size(), k_run, [&](std::size_t first, std::size_t last) {
             Deepest of_run;
             for (std::size_t k = first; k < last; ++k) of_run += {-contacts_[k].gap};
             return of_run;
         });
         report.deepest = std::max(report.deepest, deepest.overlap);
-    }
-
-    void report_contacts(StepReport& report) const {
-        const std::size_t walls = first_with_wall(contacts_);
-        report_contacts(report, {contacts_.begin() + static_cast<std::ptrdiff_t>(walls), contacts_.end()});
-        report_contacts(report, {contacts_.data(), walls});
-    }
-
-    /// Those that have pushed.
-    void report_contacts(StepReport& report, std::span<const GapContact> contacts) const {
-        const auto each_pushing = [&](std::size_t first, std::size_t last, const auto& visit) {
-            for (const GapContact& c : contacts.subspan(first, last - first)) {
-                if (c.total_impulse != Vec2::Zero()) visit(c);
-            }
-        };
-        // What each run adds goes behind what those before it add.
-        std::vector<std::size_t> next((contacts.size() + k_run - 1) / k_run + 1, 0);
-        parallel_.runs(contacts.size(), k_run, [&](std::size_t first, std::size_t last) {
-            each_pushing(first, last, [&](const GapContact&) { ++next[first / k_run + 1]; });
-        });
-        next.front() = report.contacts.size();
-        for (std::size_t run = 1; run < next.size(); ++run) next[run] += next[run - 1];
-        report.contacts.resize(next.back());
-        parallel_.runs(contacts.size(), k_run, [&](std::size_t first, std::size_t last) {
-            each_pushing(first, last, [&](const GapContact& c) {
-                report.contacts[next[first / k_run]++] = {c.j, c.i, c.point, c.normal, c.gap, c.total_impulse};
-            });
-        });
     }
 
     const Scene& scene_;
@@ -379,6 +302,7 @@ private:
     Repair repair_;
     Rejection rejection_;
     Stillness stillness_;
+    StepMemory memory_{parallel_};
     std::vector<SolverBody> bodies_;
     PoseSet before_, trial_;
     std::vector<GapContact> contacts_;
@@ -393,81 +317,27 @@ private:
     double opening_unit_ = 0.0;       ///< lifts every grain by its resting gap [J/m]
     double opening_left_ = 0.0;       ///< what corrections may still add without paying [J/m]
     int overlapping_ = 0;
-
-    // For taking a step back.
-    std::vector<SolverBody> bodies_remembered_;
-    std::vector<Remembered> contacts_remembered_;
-    EnergyLedger ledger_remembered_;
-    std::vector<WallImpulse> walls_remembered_;
-    std::int64_t impacts_remembered_ = 0;
-    std::size_t records_remembered_ = 0;
-    double opening_remembered_ = 0.0;
 };
 
-// --- checkpoints ---
-
-constexpr std::size_t k_contact_integers = 6;
-constexpr std::size_t k_contact_reals = 9;
-constexpr std::size_t k_pair_integers = 5;
-
 void ContactEngine::save(Checkpoint& checkpoint) const {
-    std::vector<std::int64_t> integers;
-    std::vector<double> reals;
-    std::vector<std::int64_t> pairs;
-    for (const GapContact& c : contacts_) {
-        integers.insert(integers.end(), {c.i, c.j, c.vertex, c.edge, c.piece, c.on_i ? 1 : 0});
-        reals.insert(reals.end(), {c.point.x(), c.point.y(), c.normal.x(), c.normal.y(), c.gap, c.normal_impulse,
-                                   c.tangent_impulse, c.low, c.high});
-    }
-    for (const PairContacts& p : pairs_) pairs.insert(pairs.end(), {p.i, p.j, p.piece, p.first, p.count});
     checkpoint.put("contact/state",
                    std::vector<std::int64_t>{detected_ ? 1 : 0, careful_, detection_.began_clean() ? 1 : 0,
                                              times_set_out_, creeping_ ? 1 : 0});
     checkpoint.put("contact/opening", std::vector<double>{opening_left_});
-    checkpoint.put("contact/integers", std::move(integers));
-    checkpoint.put("contact/reals", std::move(reals));
-    checkpoint.put("contact/pairs", std::move(pairs));
+    save_contacts(contacts_, pairs_, checkpoint);
 }
 
 void ContactEngine::load(const Checkpoint& checkpoint) {
     const auto& state = checkpoint.integers("contact/state");
-    opening_left_ = checkpoint.reals("contact/opening").at(0);
-    const auto& integers = checkpoint.integers("contact/integers");
-    const auto& reals = checkpoint.reals("contact/reals");
-    const auto& pairs = checkpoint.integers("contact/pairs");
     detected_ = state.at(0) != 0;
     careful_ = static_cast<int>(state.at(1));
-    stillness_.forget();
+    if (state.at(2) != 0) detection_.begin_clean();
     times_set_out_ = state.at(3);
     creeping_ = state.at(4) != 0;
-    if (state.at(2) != 0) detection_.begin_clean();
-    contacts_.clear();
-    pairs_.clear();
-    for (std::size_t k = 0; (k + 1) * k_contact_integers <= integers.size(); ++k) {
-        const std::int64_t* n = integers.data() + k_contact_integers * k;
-        const double* r = reals.data() + k_contact_reals * k;
-        GapContact c;
-        c.i = static_cast<BodyIndex>(n[0]);
-        c.j = static_cast<BodyIndex>(n[1]);
-        c.vertex = static_cast<std::int32_t>(n[2]);
-        c.edge = static_cast<std::int32_t>(n[3]);
-        c.piece = static_cast<std::int32_t>(n[4]);
-        c.on_i = n[5] != 0;
-        c.point = {r[0], r[1]};
-        c.normal = {r[2], r[3]};
-        c.gap = r[4];
-        c.normal_impulse = r[5];
-        c.tangent_impulse = r[6];
-        c.low = r[7];
-        c.high = r[8];
-        c.resting = detection_.resting_gap(c.i, c.j);
-        contacts_.push_back(c);
-    }
-    for (std::size_t k = 0; (k + 1) * k_pair_integers <= pairs.size(); ++k) {
-        const std::int64_t* n = pairs.data() + k_pair_integers * k;
-        pairs_.push_back({static_cast<BodyIndex>(n[0]), static_cast<BodyIndex>(n[1]), static_cast<std::int32_t>(n[2]),
-                          static_cast<std::int32_t>(n[3]), static_cast<std::int32_t>(n[4]), false});
-    }
+    opening_left_ = checkpoint.reals("contact/opening").at(0);
+    load_contacts(checkpoint, contacts_, pairs_);
+    for (GapContact& c : contacts_) c.resting = detection_.resting_gap(c.i, c.j);
+    stillness_.forget();
 }
 
 }  // namespace
