@@ -33,7 +33,7 @@ struct Resting {
 
     Resting() {
         testing::add_wall(scene, "floor", {{-1.0, 0.0}, {1.0, 0.0}});
-        scene.add(Grain{testing::add_rectangle(scene, 0.02, 0.02), 0, {0.3, 0.01}, 0.1, {1e-3, 2e-3}, 0.5});
+        scene.add(Grain{testing::add_rectangle(scene, 0.02, 0.02), 0, {0.3, 0.01}, 0.1, {1e-3, 0.0}, 0.5});
         world = initial_world(scene);
         for (std::size_t k = 0; k < 2; ++k) {
             GapContact& c = contacts[k];
@@ -81,6 +81,7 @@ const Change k_moves[] = {
     {"vx", [](Resting& r) { nudge(r.world.grains.vx[0]); }},
     {"vy", [](Resting& r) { nudge(r.world.grains.vy[0]); }},
     {"spin", [](Resting& r) { nudge(r.world.grains.spin[0]); }},
+    {"sign_of_a_zero", [](Resting& r) { r.world.grains.vy[0] = -0.0; }},
 };
 
 const Change k_other_changes[] = {

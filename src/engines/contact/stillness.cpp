@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 
 namespace polargrain {
 
@@ -11,11 +13,16 @@ std::array<const std::vector<double>*, 6> state_of(const Grains& grains) {
     return {&grains.x, &grains.y, &grains.angle, &grains.vx, &grains.vy, &grains.spin};
 }
 
+/// To the last bit: zeros of either sign are equal, but not the same.
+bool same(double p, double q) { return std::bit_cast<std::uint64_t>(p) == std::bit_cast<std::uint64_t>(q); }
+bool same(const Vec2& p, const Vec2& q) { return same(p.x(), q.x()) && same(p.y(), q.y()); }
+
 /// What the next step can see of a contact.
 bool same_contact(const GapContact& p, const GapContact& q) {
     return p.i == q.i && p.j == q.j && p.vertex == q.vertex && p.edge == q.edge && p.piece == q.piece &&
-           p.on_i == q.on_i && p.point == q.point && p.normal == q.normal && p.gap == q.gap && p.low == q.low &&
-           p.high == q.high && p.normal_impulse == q.normal_impulse && p.tangent_impulse == q.tangent_impulse;
+           p.on_i == q.on_i && same(p.point, q.point) && same(p.normal, q.normal) && same(p.gap, q.gap) &&
+           same(p.low, q.low) && same(p.high, q.high) && same(p.normal_impulse, q.normal_impulse) &&
+           same(p.tangent_impulse, q.tangent_impulse);
 }
 
 /// Are the walls the same, and at rest, in all steps from `time` to the end of the next but one?
@@ -31,7 +38,8 @@ bool Stillness::same_grains(const World& world) const {
     std::size_t first = 0;
     for (const std::vector<double>* values : state_of(world.grains)) {
         if (grains_.size() < first + values->size()) return false;
-        if (!std::equal(values->begin(), values->end(), grains_.begin() + static_cast<std::ptrdiff_t>(first))) {
+        const auto before = grains_.begin() + static_cast<std::ptrdiff_t>(first);
+        if (!std::equal(values->begin(), values->end(), before, [](double p, double q) { return same(p, q); })) {
             return false;
         }
         first += values->size();
