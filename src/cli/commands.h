@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenarios/reader.h"
+#include "src/plot/series_plot.h"
 
 namespace polargrain {
 
@@ -133,6 +134,14 @@ struct SheetRequest {
     bool force = false;
 };
 int sheet_command(const SheetRequest& request);
+
+struct PlotRequest {
+    std::filesystem::path folder;               ///< of a run
+    std::optional<std::filesystem::path> stem;  ///< of the files that are written; none: plot in the folder
+    SeriesChoice choice;
+    bool force = false;
+};
+int plot_command(const PlotRequest& request);
 
 struct ReproduceRequest {
     std::vector<std::string> figures;             ///< fig2, fig11, ...; none: all

@@ -279,6 +279,25 @@ void add_sheet(CLI::App& app, SheetRequest& request, Action& action) {
     command->callback([&] { action = [&] { return sheet_command(request); }; });
 }
 
+void add_plot(CLI::App& app, PlotRequest& request, Action& action) {
+    CLI::App* command = app.add_subcommand("plot", "the columns of series.csv over time, as PNG, PDF and CSV");
+    command->add_option("DIR", request.folder, "run folder")->required();
+    command->add_option("-o,--output", request.stem, "name of the files without ending; default plot in the run folder")
+        ->type_name("NAME");
+    command->add_option("--columns", request.choice.columns, "these alone, a panel each; default all that are not zero")
+        ->type_name("NAME,...")
+        ->delimiter(',');
+    command->add_option("--from", request.choice.from, "first time [s]")->type_name("T");
+    command->add_option("--to", request.choice.to, "last time [s]")->type_name("T");
+    command->add_flag("--force", request.force, "replace files of that name");
+    command->footer(
+        "Examples:\n"
+        "  polargrain plot out/bin-rough\n"
+        "  polargrain plot out/bin-rough -o out/energy --columns potential,dissipated_friction --from 0.2\n"
+        "A run in progress can be plotted too. docs/run-folder.md explains the columns.");
+    command->callback([&] { action = [&] { return plot_command(request); }; });
+}
+
 void add_reproduce(CLI::App& app, ReproduceRequest& request, Action& action) {
     CLI::App* command = app.add_subcommand("reproduce", "published figures and tables again, beside their numbers");
     command->add_option("FIGURE", request.figures,
@@ -401,6 +420,7 @@ int parse_and_run(int argc, const char* const* argv) {
     VerifyRequest verify;
     ShapeRequest shape;
     SheetRequest sheet;
+    PlotRequest plot;
     ReproduceRequest reproduce;
     std::string what;
     Action action;
@@ -418,6 +438,7 @@ int parse_and_run(int argc, const char* const* argv) {
     add_shape(app, shape, action);
     add_list(app, what, action);
     add_sheet(app, sheet, action);
+    add_plot(app, plot, action);
     add_reproduce(app, reproduce, action);
     refuse_empty_words(app);
     try {

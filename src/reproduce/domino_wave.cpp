@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "src/record/summary_reader.h"
-#include "src/reproduce/csv_columns.h"
+#include "src/record/csv_columns.h"
 #include "src/reproduce/dominoes.h"
 #include "src/reproduce/simulation_figures.h"
 #include "src/reproduce/statistics.h"
@@ -55,7 +55,7 @@ struct FirstBlow {
 /// By the number of the struck domino.
 std::map<int, FirstBlow> first_blows(const std::filesystem::path& run) {
     // The id of a wall is its name, and no number.
-    const auto columns = read_columns(run / "impacts.csv");
+    const auto columns = read_columns(run / "impacts.csv").values;
     const auto& i = columns.at("i");
     const auto& j = columns.at("j");
     const auto& step = columns.at("step");

@@ -33,7 +33,8 @@ TEST(CommandLine, HelpOfEveryCommandHasExamples) {
                                                       {"check", "--help"},
                                                       {"shape", "--help"},
                                                       {"list", "--help"},
-                                                      {"sheet", "--help"}}) {
+                                                      {"sheet", "--help"},
+                                                      {"plot", "--help"}}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << arguments[0];
         EXPECT_THAT(outcome.out, HasSubstr("Examples:\n  polargrain " + (arguments.size() > 1 ? arguments[0] : "")));
@@ -86,6 +87,7 @@ TEST(CommandLine, MistakesEndWithTwoAndAHint) {
         {{"sweep", "/dev/zero"}, "/dev/zero: there is no such sweep file"},
         {{"shape", "gearr"}, "gear"},
         {{"sheet", "no-such-folder"}, "no-such-folder"},
+        {{"plot", "no-such-folder"}, "no-such-folder"},
     };
     for (const auto& [arguments, says] : mistakes) {
         const Outcome outcome = run(arguments);

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "src/core/error.h"
-#include "src/reproduce/csv_columns.h"
 #include "src/reproduce/figure.h"
 #include "src/reproduce/finding.h"
 #include "src/reproduce/report.h"
@@ -106,16 +105,6 @@ TEST_F(Reports, StandAloneAndKeepFiguresDrawnEarlier) {
         EXPECT_THAT(page, Not(HasSubstr(outside)));
     }
     EXPECT_THAT(read("verdicts.csv"), HasSubstr("fig7,contact,speed,9,1,2,m/s,differs by +350 %,theory,friction\n"));
-}
-
-class Recorded : public Folder {};
-
-TEST_F(Recorded, ColumnsGoByTheirNames) {
-    write("a.csv", "time,step,note\n0,1,x\n0.5,2,y\n0.7,3");
-    const auto columns = read_columns(folder_ / "a.csv");
-    EXPECT_THAT(columns.at("time"), ElementsAre(0.0, 0.5)) << "a row cut short does not count";
-    EXPECT_TRUE(std::isnan(columns.at("note")[0]));
-    EXPECT_THROW(read_columns(folder_ / "none.csv"), InputError);
 }
 
 TEST(Figures, AreFoundByTheirNames) {

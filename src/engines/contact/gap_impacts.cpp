@@ -268,7 +268,7 @@ void GapImpacts::lead_back(const Turn& turn) {
     }
 }
 
-void GapImpacts::shift(BodyIndex body, const Motion& before, double time) {
+void GapImpacts::shift(BodyIndex body, const Motion& before, double time) const {
     const SolverBody& after = (*now_.bodies)[at(body)];
     const Vec2 way = time * (before.velocity - after.velocity);
     const double turned = time * (before.spin - after.spin);

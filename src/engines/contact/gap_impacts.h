@@ -93,7 +93,7 @@ private:
     void strike(std::size_t turn, double h);
     void push_by(std::size_t turn, std::size_t push);
     void lead_back(const Turn& turn);
-    void shift(BodyIndex body, const Motion& before, double time);
+    void shift(BodyIndex body, const Motion& before, double time) const;
     double struck_at(BodyIndex body) const;
     double time_of(const Strike& strike, double h) const;
     double time_to_wall(const Strike& strike, double h) const;

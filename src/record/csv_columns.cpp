@@ -1,4 +1,4 @@
-#include "src/reproduce/csv_columns.h"
+#include "src/record/csv_columns.h"
 
 #include <algorithm>
 #include <charconv>
@@ -32,17 +32,19 @@ double number(std::string_view field) {
 
 }  // namespace
 
-std::map<std::string, std::vector<double>> read_columns(const fs::path& csv) {
+CsvColumns read_columns(const fs::path& csv) {
     std::ifstream file(csv);
     std::string line;
     require(file.good() && std::getline(file, line), "{}: cannot be read, or is empty", csv.string());
-    std::vector<std::string> names;
-    for (const std::string_view name : fields_of(line)) names.emplace_back(name);
-    std::map<std::string, std::vector<double>> columns;
+    CsvColumns columns;
+    for (const std::string_view name : fields_of(line)) {
+        columns.names.emplace_back(name);
+        columns.values[columns.names.back()];
+    }
     while (std::getline(file, line)) {
         const std::vector<std::string_view> fields = fields_of(line);
-        if (fields.size() != names.size()) continue;  // a last row cut short
-        for (std::size_t c = 0; c < names.size(); ++c) columns[names[c]].push_back(number(fields[c]));
+        if (fields.size() != columns.names.size()) continue;  // a last row cut short
+        for (std::size_t c = 0; c < fields.size(); ++c) columns.values[columns.names[c]].push_back(number(fields[c]));
     }
     return columns;
 }

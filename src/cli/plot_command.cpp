@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include "src/cli/commands.h"
+#include "src/cli/recording.h"
+#include "src/core/error.h"
+#include "src/plot/series_plot.h"
+
+namespace polargrain {
+
+namespace fs = std::filesystem;
+
+int plot_command(const PlotRequest& request) {
+    require_run_folder(request.folder);
+    const fs::path csv = request.folder / "series.csv";
+    require(fs::exists(csv), "{}: has no series.csv; run it with --set output.series.every=0.01, say",
+            request.folder.string());
+    const fs::path stem = request.stem.value_or(request.folder / "plot");
+    for (const char* ending : {".png", ".pdf", ".csv"}) {
+        const fs::path file = stem.string() + ending;
+        require(!fs::exists(file) || (request.force && !fs::equivalent(file, csv)),
+                "{}: is there already; give another name with -o{}", file.string(),
+                request.force ? "" : ", or --force");
+    }
+    require_plotting();
+    const SeriesPlot drawn =
+        series_plot(csv, request.choice, fs::absolute(request.folder).lexically_normal().filename());
+    write_plot(drawn.plot, stem);
+    fmt::print("{}.png, .pdf, .csv\n", stem.string());
+    if (!drawn.left_out.empty()) fmt::print("zero throughout: {}\n", fmt::join(drawn.left_out, ", "));
+    return k_exit_done;
+}
+
+}  // namespace polargrain

@@ -1,0 +1,61 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program_runner.h"
+#include "tests/cli/small_scenarios.h"
+
+namespace polargrain {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class PlotCommand : public testing::Test {
+protected:
+    PlotCommand() {
+        scratch_.write("three.toml", k_three_disks);
+        EXPECT_EQ(polargrain({"run", "three.toml", "-o", "run", "--no-frames"}).exit_code, 0);
+    }
+    Outcome polargrain(const std::vector<std::string>& arguments) const {
+        return run_polargrain(arguments, scratch_.path());
+    }
+    ScratchFolder scratch_;
+};
+
+TEST_F(PlotCommand, DrawsTheSeriesOfARun) {
+    const Outcome outcome = polargrain({"plot", "run"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("run/plot.png"));
+    EXPECT_THAT(outcome.out, HasSubstr("zero throughout: "));
+    for (const char* file : {"plot.png", "plot.pdf", "plot.csv"}) {
+        EXPECT_GT(fs::file_size(scratch_ / "run" / file), 500U) << file;
+    }
+    EXPECT_EQ(polargrain({"plot", "run"}).exit_code, 2) << "nothing is overwritten";
+    EXPECT_EQ(polargrain({"plot", "run", "--force"}).exit_code, 0);
+}
+
+TEST_F(PlotCommand, DrawsWhatIsAskedForUnderAnyName) {
+    const Outcome outcome = polargrain({"plot", "run", "-o", "energy", "--columns", "potential,kinetic_rotational"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(read_file(scratch_ / "energy.csv"), HasSubstr("potential"));
+    EXPECT_THAT(read_file(scratch_ / "energy.csv"), Not(HasSubstr("impacts")));
+}
+
+TEST_F(PlotCommand, NeverReplacesTheSeriesItself) {
+    const std::string series = read_file(scratch_ / "run/series.csv");
+    EXPECT_EQ(polargrain({"plot", "run", "-o", "run/series", "--force"}).exit_code, 2);
+    EXPECT_EQ(polargrain({"plot", "run", "-o", "run/../run/series", "--force"}).exit_code, 2);
+    EXPECT_EQ(read_file(scratch_ / "run/series.csv"), series);
+}
+
+TEST_F(PlotCommand, SaysWhatToDoWithoutASeries) {
+    ASSERT_EQ(
+        polargrain({"run", "three.toml", "-o", "bare", "--no-frames", "--set", "output.series.every=0"}).exit_code, 0);
+    const Outcome outcome = polargrain({"plot", "bare"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("bare: has no series.csv; run it with --set output.series.every=0.01"));
+}
+
+}  // namespace
+}  // namespace polargrain
