@@ -5,8 +5,7 @@
 
 #include "src/record/folder_lock.h"
 #include "src/record/trajectory_h5.h"
-#include "tests/cli/program_runner.h"
-#include "tests/cli/small_scenarios.h"
+#include "tests/cli/recorded_run.h"
 
 namespace polargrain {
 namespace {
@@ -15,19 +14,9 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class ExportCommand : public testing::Test {
+class ExportCommand : public RecordedRun {
 protected:
-    ExportCommand() {
-        scratch_.write("three.toml", k_three_disks);
-        EXPECT_EQ(polargrain({"run", "three.toml", "-o", "run"}).exit_code, 0);
-    }
-    Outcome polargrain(const std::vector<std::string>& arguments) const {
-        return run_polargrain(arguments, scratch_.path());
-    }
-    std::ptrdiff_t files_in(const std::string& folder) const {
-        return std::distance(fs::directory_iterator(scratch_ / folder), {});
-    }
-    ScratchFolder scratch_;
+    ExportCommand() : RecordedRun(k_three_disks) {}
 };
 
 TEST_F(ExportCommand, FillsAFolderOfTheRunFolderUnlessToldOtherwise) {

@@ -1,8 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/cli/program_runner.h"
-#include "tests/cli/small_scenarios.h"
+#include "tests/cli/recorded_run.h"
 
 namespace polargrain {
 namespace {
@@ -11,16 +10,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-class PlotCommand : public testing::Test {
+class PlotCommand : public RecordedRun {
 protected:
-    PlotCommand() {
-        scratch_.write("three.toml", k_three_disks);
-        EXPECT_EQ(polargrain({"run", "three.toml", "-o", "run", "--no-frames"}).exit_code, 0);
-    }
-    Outcome polargrain(const std::vector<std::string>& arguments) const {
-        return run_polargrain(arguments, scratch_.path());
-    }
-    ScratchFolder scratch_;
+    PlotCommand() : RecordedRun(k_three_disks) {}
 };
 
 TEST_F(PlotCommand, DrawsTheSeriesOfARun) {

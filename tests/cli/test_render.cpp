@@ -6,8 +6,7 @@
 #include <cstdlib>
 
 #include "src/record/folder_lock.h"
-#include "tests/cli/program_runner.h"
-#include "tests/cli/small_scenarios.h"
+#include "tests/cli/recorded_run.h"
 
 namespace polargrain {
 namespace {
@@ -15,25 +14,17 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class Render : public testing::Test {
+std::string drawn_and_shaken() {
+    std::string text = replaced(k_three_disks, "frames = { every = 0.0 }", "frames = { every = 0.01, width = 320 }");
+    // A wall that moves: its reach belongs to the view.
+    return replaced(text, "points = [[-1.0, 0.0], [1.0, 0.0]]\n",
+                    "points = [[-0.1, 0.0], [0.2, 0.0]]\n"
+                    "motion = { type = \"sine\", direction = [0, 1], amplitude = 5e-3, frequency = 20.0 }\n");
+}
+
+class Render : public RecordedRun {
 protected:
-    Render() {
-        std::string text =
-            replaced(k_three_disks, "frames = { every = 0.0 }", "frames = { every = 0.01, width = 320 }");
-        // A wall that moves: its reach belongs to the view.
-        text = replaced(text, "points = [[-1.0, 0.0], [1.0, 0.0]]\n",
-                        "points = [[-0.1, 0.0], [0.2, 0.0]]\n"
-                        "motion = { type = \"sine\", direction = [0, 1], amplitude = 5e-3, frequency = 20.0 }\n");
-        scratch_.write("three.toml", text);
-        EXPECT_EQ(polargrain({"run", "three.toml", "-o", "run"}).exit_code, 0);
-    }
-    Outcome polargrain(const std::vector<std::string>& arguments) const {
-        return run_polargrain(arguments, scratch_.path());
-    }
-    std::ptrdiff_t files_in(const std::string& folder) const {
-        return std::distance(fs::directory_iterator(scratch_ / folder), {});
-    }
-    ScratchFolder scratch_;
+    Render() : RecordedRun(drawn_and_shaken()) {}
 };
 
 TEST_F(Render, DrawsTheSamePicturesAsTheRunDid) {
