@@ -20,11 +20,14 @@ namespace polargrain {
 /// two grains closes faster. Those whose turn it is share no grain, so that they can be struck at the same time: a
 /// round. Then the contacts of the grains struck are looked at again, and the next round begins. Rounds follow from
 /// the speeds alone, so that any number of threads gives the same bits.
+///
+/// Two disks, or a grain and a wall at rest, that nobody else disturbs in the sub-step strike at the moment at which
+/// they meet, between two free flights; all others at its beginning, or when one of the two has last been struck.
 class GapImpacts {
 public:
     static constexpr double k_impact = 3.0;    ///< closing speeds above this many g dt are impacts
     static constexpr int k_most_impacts = 20;  ///< per contact and sub-step
-    static constexpr double k_alone = 8.0;     ///< ways of the closing speed in a sub-step; nothing else may be nearer
+    static constexpr double k_alone = 8.0;     ///< ways of a sub-step; at a wall nothing else may be nearer
 
     explicit GapImpacts(const Scene& scene);
 
