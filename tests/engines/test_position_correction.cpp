@@ -14,14 +14,14 @@
 namespace polargrain {
 namespace {
 
+using testing::k_gap;
+using testing::k_radius;
 using testing::moved_mass;
 using testing::same_poses;
 using testing::TrialMoves;
 using testing::turned_mass;
 
-constexpr double k_radius = 0.01;
-constexpr double k_gap = 2.0 * k_radius * GapDetection::k_resting;  ///< at which disks of that radius rest [m]
-constexpr double k_swept = 3e-3;                                    ///< what six sweeps leave of a gap, in resting gaps
+constexpr double k_swept = 3e-3;  ///< what six sweeps leave of a gap, in resting gaps
 constexpr double k_all = std::numeric_limits<double>::infinity();
 
 /// Grains after a step, the gaps between them, and the correction of their poses.

@@ -11,9 +11,8 @@
 namespace polargrain {
 namespace {
 
+using testing::k_radius;
 using testing::TrialMoves;
-
-constexpr double k_radius = 0.01;
 
 /// Disks at these places, with velocities that they keep unless they are stopped.
 Scene disks_at(const std::vector<Vec2>& places) {

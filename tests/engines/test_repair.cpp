@@ -10,13 +10,12 @@
 namespace polargrain {
 namespace {
 
+using testing::k_gap;
+using testing::k_radius;
 using testing::moved_mass;
 using testing::same_poses;
 using testing::TrialMoves;
 using testing::turned_mass;
-
-constexpr double k_radius = 0.01;
-constexpr double k_gap = 2.0 * k_radius * GapDetection::k_resting;  ///< at which disks of that radius rest [m]
 
 /// Disks of one radius in a row along x, gaps between neighbours given in resting gaps.
 Scene row_of_disks(const std::vector<double>& gaps) {

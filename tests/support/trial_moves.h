@@ -7,6 +7,10 @@
 
 namespace polargrain::testing {
 
+/// Of the disks of such tests [m], and the gap at which two of them rest.
+inline constexpr double k_radius = 0.01;
+inline constexpr double k_gap = 2.0 * k_radius * GapDetection::k_resting;
+
 inline void place(PoseSet& poses, std::size_t k, const Vec2& centre, double angle) {
     poses.centre[k] = centre;
     poses.angle[k] = angle;
