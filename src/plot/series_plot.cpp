@@ -94,14 +94,10 @@ Recorded read(const std::filesystem::path& path, const SeriesChoice& choice) {
     require(time != recorded.csv.values.end(), "{}: has no column time; give the series.csv of a run", path.string());
     const std::vector<double>& t = time->second;
     recorded.first = static_cast<std::size_t>(std::ranges::lower_bound(t, choice.from) - t.begin());
-    recorded.last = choice.to > choice.from
-                        ? static_cast<std::size_t>(std::ranges::upper_bound(t, choice.to) - t.begin())
-                        : t.size();
-    const std::string part = choice.to > choice.from ? fmt::format("from {} to {} s", choice.from, choice.to)
-                                                     : fmt::format("from {} s on", choice.from);
+    recorded.last = static_cast<std::size_t>(std::ranges::upper_bound(t, choice.to) - t.begin());
     require(!t.empty(), "{}: has no row yet", path.string());
-    require(recorded.first < recorded.last, "{}: has no row {}; it has {} to {} s", path.string(), part, t.front(),
-            t.back());
+    require(recorded.first < recorded.last, "{}: has no row from {} to {} s; it has {} to {} s", path.string(),
+            choice.from, choice.to, t.front(), t.back());
     for (const std::string& name : choice.columns) {
         if (recorded.csv.values.contains(name)) continue;
         const std::string near = nearest_name(name, recorded.csv.names);

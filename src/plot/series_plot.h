@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace polargrain {
 /// What of a series.csv is drawn.
 struct SeriesChoice {
     std::vector<std::string> columns;  ///< a panel for each; none: all, a panel for what belongs together
-    double from = 0.0;                 ///< [s]
-    double to = 0.0;                   ///< [s]; not after `from`: to the end
+    double from = -std::numeric_limits<double>::infinity();  ///< [s]
+    double to = std::numeric_limits<double>::infinity();     ///< [s]
 };
 
 /// The columns of a run's series.csv over time, as panels of one sheet, and what is left out.

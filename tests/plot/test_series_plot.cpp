@@ -69,17 +69,16 @@ TEST_F(SeriesPlots, ShowTheColumnsAndTheTimeAskedFor) {
 }
 
 TEST_F(SeriesPlots, RefuseWhatTheyCannotShow) {
-    EXPECT_THAT(
-        [&] {
-            drawn({{"potentiel"}, 0.0, 0.0});
-        },
-        ThrowsMessage<InputError>(HasSubstr("has no column potentiel; did you mean \"potential\"?")));
+    EXPECT_THAT([&] { drawn({.columns = {"potentiel"}}); },
+                ThrowsMessage<InputError>(HasSubstr("has no column potentiel; did you mean \"potential\"?")));
     EXPECT_THAT(
         [&] {
             drawn({{}, 1.0, 2.0});
         },
         ThrowsMessage<InputError>(HasSubstr("has no row from 1 to 2 s; it has 0 to 0.2 s")));
-    EXPECT_THAT([&] { drawn({{}, 1.0, 0.0}); }, ThrowsMessage<InputError>(HasSubstr("has no row from 1 s on")));
+    EXPECT_THAT([&] { drawn({.columns = {}, .from = 1.0}); },
+                ThrowsMessage<InputError>(HasSubstr("has no row from 1 to inf s; it has 0 to 0.2 s")));
+    EXPECT_THAT([&] { drawn({{}, 0.2, 0.1}); }, ThrowsMessage<InputError>(HasSubstr("has no row from 0.2 to 0.1 s")));
     std::ofstream(csv_) << "a,b\n1,2\n";
     EXPECT_THAT([&] { drawn(); }, ThrowsMessage<InputError>(HasSubstr("has no column time")));
     std::ofstream(csv_) << "time,impacts\n0,0\n";
