@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "src/record/summary_reader.h"
 #include "src/record/csv_columns.h"
+#include "src/record/summary_reader.h"
 #include "src/reproduce/dominoes.h"
 #include "src/reproduce/simulation_figures.h"
 #include "src/reproduce/statistics.h"
