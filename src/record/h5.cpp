@@ -257,6 +257,12 @@ Handle put_data(hid_t parent, const std::string& name, std::span<const T> values
 }
 
 template <typename T>
+void overwrite(const Handle& dataset, std::span<const T> values) {
+    check(H5Dwrite(dataset.id(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          "write over a dataset");
+}
+
+template <typename T>
 std::vector<T> data(hid_t parent, const std::string& name, Size* size) {
     const Handle dataset = open_dataset(parent, name);
     const Size found = extent(space_of(dataset).id());
@@ -358,6 +364,7 @@ void sync(hid_t file) {
     template T number<T>(hid_t, const std::string&);                                         \
     template std::vector<T> numbers<T>(hid_t, const std::string&);                           \
     template Handle put_data<T>(hid_t, const std::string&, std::span<const T>, const Size&); \
+    template void overwrite<T>(const Handle&, std::span<const T>);                           \
     template std::vector<T> data<T>(hid_t, const std::string&, Size*);                       \
     template std::vector<T> rows<T>(hid_t, const std::string&, hsize_t, hsize_t);            \
     template hsize_t rows_per_chunk<T>(std::size_t);                                         \

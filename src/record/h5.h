@@ -102,6 +102,9 @@ std::vector<T> numbers(hid_t object, const std::string& name);
 /// A dataset of fixed size. Groups that the name asks for are made.
 template <typename T>
 Handle put_data(hid_t parent, const std::string& name, std::span<const T> values, const Size& size);
+/// In place of what a dataset holds; as many values.
+template <typename T>
+void overwrite(const Handle& dataset, std::span<const T> values);
 /// All of a dataset, row by row; `size` receives its extent.
 template <typename T>
 std::vector<T> data(hid_t parent, const std::string& name, Size* size = nullptr);

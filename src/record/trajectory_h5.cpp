@@ -144,6 +144,7 @@ public:
         put_materials(ours.id(), scene.materials);
         begin_walls(ours.id(), scene);
         contacts_.emplace(ours.id(), clock_);
+        whole_frames_ = h5::put_data<std::int64_t>(file_.id(), layout::k_frames, std::span(&frames_, 1), {});
         flush();
     }
 
@@ -160,8 +161,11 @@ public:
         contacts_->append(frame);
         clock_.append(frame);
         flush();
-        frame.add_to(hash_);
+        // A kill in the middle of a flush leaves the last rows in some of the datasets and not in others.
         ++frames_;
+        h5::overwrite<std::int64_t>(whole_frames_, std::span(&frames_, 1));
+        flush();
+        frame.add_to(hash_);
     }
 
     /// How many frames there are, and where in the file they stand.
@@ -190,6 +194,7 @@ public:
         flush();
         // The library closes a file in earnest when the last thing in it is closed, and tells only that call.
         contacts_.reset();
+        whole_frames_.reset();
         wall_poses_.clear();
         for (Growing<double>* growing : {&position_, &angle_, &velocity_, &spin_}) *growing = {};
         clock_ = {};
@@ -238,7 +243,8 @@ private:
     std::vector<std::pair<std::size_t, Growing<double>>> wall_poses_;  // of moving walls
     std::optional<Contacts> contacts_;
     std::int64_t frames_ = 0;
-    StateHash hash_;  // of all frames
+    Handle whole_frames_;  // the dataset that holds frames_
+    StateHash hash_;       // of all frames
 };
 
 TrajectoryH5::TrajectoryH5(std::filesystem::path path, double every, Provenance provenance)

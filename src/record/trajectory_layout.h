@@ -13,6 +13,8 @@ inline constexpr const char* k_shapes = "/polargrain/shapes";
 inline constexpr const char* k_materials = "/polargrain/materials";
 inline constexpr const char* k_walls = "/polargrain/walls";
 inline constexpr const char* k_contacts = "/polargrain/contacts";
+/// How many frames are whole; files of earlier versions have it not.
+inline constexpr const char* k_frames = "/polargrain/frames";
 
 /// In a checkpoint: where the chunks of each dataset stand.
 inline constexpr const char* k_places = "places";

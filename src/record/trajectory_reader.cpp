@@ -91,7 +91,7 @@ public:
         const Handle creator = h5::open_group(file_.id(), "/h5md/creator");
         writer_version = h5::text(creator.id(), "version");
         read_scene(ours.id());
-        times = h5::data<double>(file_.id(), path_in(layout::k_grains, "position/time"));
+        times = read_times();
         frames = static_cast<int>(times.size());
         if (frames == 0) return;
         scene.grains = read_frame(0).world.grains;
@@ -122,6 +122,15 @@ private:
     template <typename T>
     std::vector<T> row_of(const char* folder, const char* name, hsize_t row) const {
         return h5::rows<T>(file_.id(), path_in(folder, name), row, 1);
+    }
+
+    /// Of the frames that are whole: a run that was killed may have left more rows in some datasets.
+    std::vector<double> read_times() const {
+        const std::string dataset = path_in(layout::k_grains, "position/time");
+        if (H5Lexists(file_.id(), layout::k_frames, H5P_DEFAULT) <= 0) return h5::data<double>(file_.id(), dataset);
+        const std::int64_t whole = h5::data<std::int64_t>(file_.id(), layout::k_frames).at(0);
+        expect_whole(whole >= 0, "it has a negative number of frames");
+        return h5::rows<double>(file_.id(), dataset, 0, static_cast<hsize_t>(whole));
     }
 
     void read_scene(hid_t ours) {
