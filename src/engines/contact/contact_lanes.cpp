@@ -174,6 +174,13 @@ void ContactLanes::fill(const std::vector<GapContact>& contacts, std::vector<Sol
 }
 
 void ContactLanes::put(const GapContact& c, std::size_t contact, const std::vector<SolverBody>& bodies) {
+    turn(c, contact, bodies, c.gap - c.resting);
+    LaneBlock& b = block(contact);
+    b.normal_impulse.of[lane(contact)] = c.normal_impulse;
+    b.tangent_impulse.of[lane(contact)] = c.tangent_impulse;
+}
+
+void ContactLanes::turn(const GapContact& c, std::size_t contact, const std::vector<SolverBody>& bodies, double open) {
     LaneBlock& b = block(contact);
     TravelBlock& t = travels_[place_[contact] / k_lanes];
     const std::size_t n = lane(contact);
@@ -192,9 +199,7 @@ void ContactLanes::put(const GapContact& c, std::size_t contact, const std::vect
     b.mass_n.of[n] = c.active ? c.mass_n : 0.0;
     b.mass_t.of[n] = c.active ? c.mass_t : 0.0;
     b.friction.of[n] = c.friction;
-    b.open.of[n] = c.gap - c.resting;
-    b.normal_impulse.of[n] = c.normal_impulse;
-    b.tangent_impulse.of[n] = c.tangent_impulse;
+    b.open.of[n] = open;
     t.low.of[n] = c.active ? c.low : -k_unbounded;
     t.high.of[n] = c.active ? c.high : k_unbounded;
 }

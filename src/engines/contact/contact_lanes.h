@@ -41,6 +41,9 @@ public:
     /// A contact's constants, gap and impulses, again: after its normal has changed.
     void put(const GapContact& c, std::size_t contact, const std::vector<SolverBody>& bodies);
 
+    /// The same for a contact without impulses, which is open by so much [m].
+    void turn(const GapContact& c, std::size_t contact, const std::vector<SolverBody>& bodies, double open);
+
     /// Puts gap, impulses and the sums of impulses since the last call into the contact. Returns the sum, on i [N s/m].
     Vec2 take(std::size_t contact, GapContact& c);
 
@@ -68,13 +71,6 @@ public:
     /// Gap less resting gap [m].
     double open(std::size_t contact) const { return block(contact).open.of[lane(contact)]; }
     void widen(std::size_t contact, double way) { block(contact).open.of[lane(contact)] += way; }
-    /// Gives a contact without impulses another normal, along which it is open by that much [m]; its arms stay.
-    void turn(std::size_t contact, const Vec2& normal, double open) {
-        LaneBlock& b = block(contact);
-        b.normal_x.of[lane(contact)] = normal.x();
-        b.normal_y.of[lane(contact)] = normal.y();
-        b.open.of[lane(contact)] = open;
-    }
     double normal_impulse(std::size_t contact) const { return block(contact).normal_impulse.of[lane(contact)]; }
     double tangent_impulse(std::size_t contact) const { return block(contact).tangent_impulse.of[lane(contact)]; }
     void set_impulse(std::size_t contact, const Vec2& impulse) {

@@ -21,6 +21,7 @@ struct alignas(64) GapContact {
     std::int32_t vertex = 0, edge = 0, piece = 0;
     bool active = true;  ///< false once the point has left its edge for good in this step
     bool on_i = true;    ///< the point belongs to i
+    bool met = false;    ///< point, normal and arms are those of a moment in flight (FlightMeetings), and not halfway
     double gap = 0.0;    ///< [m]
     Vec2 normal = Vec2::UnitY();
     double arm_ni = 0.0, arm_nj = 0.0;  ///< cross(r, n) [m]

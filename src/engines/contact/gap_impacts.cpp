@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/engines/contact/disk_meeting.h"
 #include "src/engines/contact/gap_motion.h"
 #include "src/engines/contact/pose_set.h"
 #include "src/model/contact_law.h"
@@ -22,15 +21,15 @@ Motion motion_of(const SolverBody& body) { return {body.velocity, body.spin}; }
 
 }  // namespace
 
-GapImpacts::GapImpacts(const Scene& scene) : scene_(scene), parallel_(std::max(1, scene.threads)), blow_solver_(scene) {
-    for (GrainIndex k = 0; k < scene.grains.size(); ++k) radius_.push_back(outer_radius(scene.shape_of(k)));
-}
+GapImpacts::GapImpacts(const Scene& scene)
+    : scene_(scene), parallel_(std::max(1, scene.threads)), blow_solver_(scene), meetings_(scene) {}
 
 void GapImpacts::begin(const StepInHand& step) {
     now_ = step;
     impact_speed_ = k_impact * std::sqrt(scene_.gravity.squaredNorm()) * step.dt;
     const auto grains = static_cast<std::size_t>(scene_.grains.size());
     blow_solver_.begin(*step.contacts, *step.bodies, *step.halfway, *step.lanes, *step.by_grain, step.step);
+    meetings_.begin({step.contacts, step.lanes, step.bodies, step.trial, step.by_grain, impact_speed_});
     round_ = 0;
     first_round_ = 1;
     left_ = step.dt;
@@ -41,10 +40,10 @@ void GapImpacts::begin(const StepInHand& step) {
 void GapImpacts::find_all_closing(std::vector<std::int32_t>& closing) {
     std::vector<char> closes(now_.contacts->size());
     parallel_.runs(closes.size(), k_run, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-            turn_to_meet(static_cast<std::int32_t>(k));
-            closes[k] = -normal_speed((*now_.contacts)[k], *now_.bodies) > impact_speed_;
-        }
+        for (std::size_t k = first; k < last; ++k) meetings_.foresee(k, 0.0, left_);
+    });
+    parallel_.runs(closes.size(), k_run, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) closes[k] = meetings_.closes_fast(k);
     });
     closing.clear();
     for (std::size_t k = 0; k < closes.size(); ++k) {
@@ -56,7 +55,7 @@ void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
     strikes_.clear();
     first_round_ = ++round_;
     parallel_.runs(closing.size(), k_looks_a_run, [&](std::size_t first, std::size_t last) {
-        for (std::size_t n = first; n < last; ++n) turn_to_meet(closing[n]);
+        for (std::size_t n = first; n < last; ++n) meetings_.foresee_disks(at(closing[n]), 0.0, left_);
     });
     find_strikes(closing, h);
     if (!strikes_.empty()) uses_.assign(now_.contacts->size(), 0);
@@ -68,32 +67,6 @@ void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
         look_again(h);
     }
     left_ -= h;
-}
-
-/// Two disks that fly: the contact gets the normal, and the gap along it, of the time in the rest of the step at which
-/// they meet or are nearest. By the normal of the middle of the step they would be struck at a wrong angle, and so
-/// would disks that pass one another closely.
-void GapImpacts::turn_to_meet(std::int32_t contact) {
-    GapContact& c = (*now_.contacts)[at(contact)];
-    if (!c.between_disks()) return;
-    const SolverBody& i = (*now_.bodies)[at(c.i)];
-    const Vec2 velocity = i.velocity - (*now_.bodies)[at(c.j)].velocity;
-    const Vec2& centre = now_.trial->centre[at(c.i)];
-    const Vec2 apart = centre - now_.trial->centre[at(c.j)];
-    const double approach = -apart.dot(velocity);
-    const double slow = impact_speed_ * impact_speed_ * apart.squaredNorm();
-    if (approach <= 0.0 || approach * approach <= slow) return;  // left to the solver; later they close no faster
-    const double touching = radius_[at(c.i)] + radius_[at(c.j)] + c.resting;
-    const double too_far = touching + left_ * std::sqrt(velocity.squaredNorm());
-    if (apart.squaredNorm() > too_far * too_far) return;
-    ContactLanes& lanes = *now_.lanes;
-    if (lanes.normal_impulse(at(contact)) != 0.0 || lanes.tangent_impulse(at(contact)) != 0.0) return;
-    const double earliest = std::max(struck_at(c.i), struck_at(c.j));
-    const DiskMeeting meeting = find_meeting(apart, velocity, touching, earliest, left_);
-    c.total_impulse += lanes.take(at(contact), c);
-    c.normal = meeting.normal;
-    c.point = centre + meeting.time * i.velocity - (radius_[at(c.i)] + 0.5 * c.resting) * c.normal;
-    lanes.turn(at(contact), c.normal, meeting.distance - touching);
 }
 
 /// Adds the contact if it strikes.
@@ -141,7 +114,9 @@ void GapImpacts::choose_turns(double h) {
             if (is_wall(body)) continue;
             OfGrain& grain = grains_[at(body)];
             const bool first = grain.round != round_;
-            grain.strikes = first ? 1 : grain.strikes + 1;
+            const BodyIndex partner = body == s.i ? s.j : s.i;
+            grain.one_partner = first || (grain.one_partner && grain.partner == partner);
+            grain.partner = partner;
             if (first || s.speed > grain.fastest.speed ||
                 (s.speed == grain.fastest.speed && s.contact < grain.fastest.contact)) {
                 grain.round = round_;
@@ -166,22 +141,21 @@ double GapImpacts::struck_at(BodyIndex body) const {
     return grain.struck >= first_round_ ? grain.time : 0.0;
 }
 
+double GapImpacts::earliest(std::int32_t contact) const {
+    const GapContact& c = (*now_.contacts)[at(contact)];
+    return std::max(struck_at(c.i), struck_at(c.j));
+}
+
 /// When in the sub-step a strike takes place [s]: when the bodies meet, where that can be known, else as early as can
 /// be.
 double GapImpacts::time_of(const Strike& s, double h) const {
-    const double earliest = std::max(struck_at(s.i), struck_at(s.j));
-    if (is_wall(s.j)) return std::max(earliest, time_to_wall(s, h));
-    if (!(*now_.contacts)[at(s.contact)].between_disks()) return earliest;
-    const auto alone = [this](BodyIndex body) { return grains_[at(body)].strikes == 1 && flies(body); };
-    if (!alone(s.i) || !alone(s.j)) return earliest;
-    return std::clamp(now_.lanes->open(at(s.contact)) / s.speed, earliest, h);
-}
-
-/// Does nothing press the grain?
-bool GapImpacts::flies(BodyIndex body) const {
-    const auto contacts = now_.by_grain->of(body);
-    return std::none_of(contacts.begin(), contacts.end(),
-                        [this](std::int32_t k) { return now_.lanes->normal_impulse(at(k)) > 0.0; });
+    const double from = earliest(s.contact);
+    if (is_wall(s.j)) return std::max(from, time_to_wall(s, h));
+    const GapContact& c = (*now_.contacts)[at(s.contact)];
+    if (!c.between_disks() && !c.met) return from;
+    const auto alone = [this](BodyIndex body) { return grains_[at(body)].one_partner && meetings_.flies(body); };
+    if (!alone(s.i) || !alone(s.j)) return from;
+    return std::clamp(now_.lanes->open(at(s.contact)) / s.speed, from, h);
 }
 
 /// Time until a grain reaches its resting gap from a wall at rest [s], no longer than the sub-step; 0 where others are
@@ -331,7 +305,10 @@ void GapImpacts::look_again(double h) {
     for (const Turn& turn : turns_) {
         for (const BodyIndex body : {turn.strike.i, turn.strike.j}) {
             if (is_wall(body)) continue;
-            for (const std::int32_t k : now_.by_grain->of(body)) turn_to_meet(k);
+            for (const std::int32_t k : now_.by_grain->of(body)) {
+                if (body == turn.strike.j && (*now_.contacts)[at(k)].i == turn.strike.i) continue;  // has been
+                if (meetings_.begins_pair(at(k))) meetings_.foresee(at(k), earliest(k), left_);
+            }
         }
     }
     const std::size_t length = turns_a_run();

@@ -7,6 +7,7 @@
 #include "src/engines/contact/blow.h"
 #include "src/engines/contact/by_grain.h"
 #include "src/engines/contact/contact_lanes.h"
+#include "src/engines/contact/flight_meetings.h"
 #include "src/engines/contact/halfway.h"
 #include "src/model/scene.h"
 #include "src/model/step_report.h"
@@ -21,8 +22,9 @@ namespace polargrain {
 /// round. Then the contacts of the grains struck are looked at again, and the next round begins. Rounds follow from
 /// the speeds alone, so that any number of threads gives the same bits.
 ///
-/// Two disks, or a grain and a wall at rest, that nobody else disturbs in the sub-step strike at the moment at which
-/// they meet, between two free flights; all others at its beginning, or when one of the two has last been struck.
+/// Two grains that fly (FlightMeetings), or a grain and a wall at rest, that nobody else disturbs in the sub-step
+/// strike at the moment at which they meet, between two free flights; all others at its beginning, or when one of the
+/// two has last been struck.
 class GapImpacts {
 public:
     static constexpr double k_impact = 3.0;    ///< closing speeds above this many g dt are impacts
@@ -70,17 +72,17 @@ private:
         double time;
         Motion i_before{}, j_before{};
     };
-    /// What happens to a grain: its strikes in a round and the fastest of them; the last round in which it was struck,
-    /// and when in the sub-step that was [s].
+    /// What happens to a grain: the fastest of its strikes in a round, and whether all are with one partner; the last
+    /// round in which it was struck, and when in the sub-step that was [s].
     struct OfGrain {
         std::int64_t round = 0;
-        int strikes = 0;
+        BodyIndex partner = 0;
+        bool one_partner = true;
         Strike fastest{};
         std::int64_t struck = 0;
         double time = 0.0;
     };
 
-    void turn_to_meet(std::int32_t contact);
     void look_at(std::int32_t contact, double h, std::vector<Strike>& found) const;
     void find_strikes(const std::vector<std::int32_t>& candidates, double h);
     void look_about(const Turn& turn, double h, std::vector<Strike>& found) const;
@@ -98,9 +100,9 @@ private:
     void lead_back(const Turn& turn);
     void shift(BodyIndex body, const Motion& before, double time) const;
     double struck_at(BodyIndex body) const;
+    double earliest(std::int32_t contact) const;
     double time_of(const Strike& strike, double h) const;
     double time_to_wall(const Strike& strike, double h) const;
-    bool flies(BodyIndex body) const;
     ImpactRecord record(const BlowPush& push) const;
     void book();
     void look_again(double h);
@@ -108,7 +110,7 @@ private:
     const Scene& scene_;
     Parallel parallel_;
     BlowSolver blow_solver_;
-    std::vector<double> radius_;  ///< of the grains, outer [m]
+    FlightMeetings meetings_;
     StepInHand now_;
     double impact_speed_ = 0.0;
     std::int64_t round_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/engines/contact/lever_arms.h"
+
 namespace polargrain {
 
 void Halfway::find(const PoseSet& start, const std::vector<SolverBody>& bodies, double dt) {
@@ -25,6 +27,7 @@ Vec2 Halfway::turned(GrainIndex grain, const Vec2& v) const {
 }
 
 void Halfway::carry(GapContact& c) const {
+    c.met = false;
     const BodyIndex owner = c.on_i ? c.i : c.j;
     const BodyIndex other = c.on_i ? c.j : c.i;
     // A vertex keeps its place on its body; the edge it faces turns with the other.
@@ -55,28 +58,13 @@ Vec2 Halfway::disk_arm(const GapContact& c, GrainIndex grain) const {
 }
 
 Vec2 Halfway::arm(const GapContact& c, GrainIndex grain) const {
+    if (c.met) return lever_arm(c, grain);
     if (std::holds_alternative<Disk>(scene_.shape_of(grain))) return disk_arm(c, grain);
     return c.point - centre(grain);
 }
 
 void Halfway::set_arms(GapContact& c, const std::vector<SolverBody>& bodies) const {
-    const Vec2 t = c.tangent();
-    const SolverBody& i = bodies[Grains::at(c.i)];
-    const Vec2 arm_i = arm(c, c.i);
-    c.arm_ni = cross(arm_i, c.normal);
-    c.arm_ti = cross(arm_i, t);
-    double n = i.inverse_mass + i.inverse_inertia * c.arm_ni * c.arm_ni;
-    double s = i.inverse_mass + i.inverse_inertia * c.arm_ti * c.arm_ti;
-    if (!is_wall(c.j)) {
-        const SolverBody& j = bodies[Grains::at(c.j)];
-        const Vec2 arm_j = arm(c, c.j);
-        c.arm_nj = cross(arm_j, c.normal);
-        c.arm_tj = cross(arm_j, t);
-        n += j.inverse_mass + j.inverse_inertia * c.arm_nj * c.arm_nj;
-        s += j.inverse_mass + j.inverse_inertia * c.arm_tj * c.arm_tj;
-    }
-    c.mass_n = 1.0 / n;
-    c.mass_t = 1.0 / s;
+    set_lever_arms(c, bodies, arm(c, c.i), is_wall(c.j) ? Vec2(Vec2::Zero()) : arm(c, c.j));
 }
 
 }  // namespace polargrain

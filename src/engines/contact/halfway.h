@@ -23,7 +23,8 @@ public:
     /// Takes a contact's point and normal, found at the start, to the middle.
     void carry(GapContact& c) const;
 
-    /// From the centre of a grain to where its surface meets the other body's, of a contact that has been carried [m].
+    /// From the centre of a grain to where its surface meets the other body's, of a contact that has been carried, and
+    /// turned to a meeting in flight perhaps [m].
     ///
     /// A disk's arm is its radius, whatever the gap was at the start: when the impulse comes, the gap is closed. Two
     /// disks share the gap at which they rest, so that their arms meet.
