@@ -101,7 +101,7 @@ Scene gas_of_squares(int n, double phi, std::uint64_t seed) {
 }
 
 // No formula is known to the percent, but steps as short as a quarter of the critical one have the pressure of still
-// shorter ones (5.26 and 5.25 +- 0.01 at a quarter and at an eighth).
+// shorter ones (5.27 and 5.25, each +- 0.01, at a quarter and at an eighth).
 TEST(GasOfSquares, HasThePressureAtTheCriticalStepThatItHasAtShortOnes) {
     const auto measure = [](double of_critical) {
         Running sim(make_contact, gas_of_squares(625, 0.5, 1));

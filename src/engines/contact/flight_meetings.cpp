@@ -151,7 +151,7 @@ void FlightMeetings::turn(GapContact& c, std::size_t contact, const Outlines& th
     const double gap = std::max(0.0, outward.dot(c.point - start) - c.resting);
     // What would strike later is looked for again after the first; what lands with it, as the other end of a face, is
     // not later.
-    const bool lands = strikes || (over && gap < c.resting);
+    const bool lands = strikes || (then.meet && over && gap < c.resting);
     c.active = lands || (over && !then.meet);
     now_.lanes->turn(c, contact, *now_.bodies, (lands ? 0.0 : gap) - then.time * normal_speed(c, *now_.bodies));
 }
