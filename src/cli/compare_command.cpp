@@ -10,6 +10,7 @@
 #include "render/side_by_side.h"
 #include "src/cli/commands.h"
 #include "src/cli/interrupt.h"
+#include "src/cli/made_of_run.h"
 #include "src/cli/messages.h"
 #include "src/cli/prepared_run.h"
 #include "src/cli/progress_display.h"

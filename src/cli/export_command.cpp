@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "src/cli/commands.h"
+#include "src/cli/made_of_run.h"
 #include "src/cli/recording.h"
 #include "src/cli/run_folder.h"
 #include "src/core/error.h"
@@ -32,7 +33,7 @@ void check_export_folder(const fs::path& folder, bool force) {
 int export_command(const ExportRequest& request) {
     const TrajectoryReader recording = open_recording(request.folder);
     const std::vector<int> frames = chosen_frames(request.frames, recording, request.folder);
-    const fs::path place = request.out.value_or(request.folder / "export");
+    const fs::path place = request.out.value_or(export_in(request.folder));
     const FolderLock lock = claim_folder(place, [&] { check_export_folder(place, request.force); });
     VtkExport::remove(place);
     GrainsCsv::remove(place);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "src/cli/commands.h"
+#include "src/cli/made_of_run.h"
 #include "src/cli/recording.h"
 #include "src/core/error.h"
 #include "src/plot/series_plot.h"
@@ -14,8 +15,8 @@ int plot_command(const PlotRequest& request) {
     const fs::path csv = request.folder / "series.csv";
     require(fs::exists(csv), "{}: has no series.csv; run it with --set output.series.every=0.01, say",
             request.folder.string());
-    const fs::path stem = request.stem.value_or(request.folder / "plot");
-    for (const char* ending : {".png", ".pdf", ".csv"}) {
+    const fs::path stem = request.stem.value_or(plot_in(request.folder));
+    for (const char* ending : k_plot_endings) {
         const fs::path file = stem.string() + ending;
         require(!fs::exists(file) || (request.force && !fs::equivalent(file, csv)),
                 "{}: is there already; give another name with -o{}", file.string(),

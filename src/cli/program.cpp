@@ -72,7 +72,8 @@ void add_run(CLI::App& app, RunRequest& request, Action& action) {
     command->add_option("-o,--output", request.folder, "run folder; default out/<scenario name>")->type_name("DIR");
     add_overrides(*command, request.overrides);
     command->add_flag("--no-frames", request.overrides.no_frames, "draw no pictures");
-    command->add_flag("--force", request.force, "replace the run that is in the folder");
+    command->add_flag("--force", request.force,
+                      "replace the run that is in the folder, and what was drawn of it there");
     command->add_flag("--quiet", request.quiet, "print nothing but errors");
     command->footer(
         "Examples:\n"

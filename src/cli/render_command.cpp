@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <memory>
 #include <tuple>
@@ -9,8 +11,8 @@
 #include "render/movie.h"
 #include "scenarios/reader.h"
 #include "src/cli/commands.h"
+#include "src/cli/made_of_run.h"
 #include "src/cli/recording.h"
-#include "src/cli/run_folder.h"
 #include "src/core/error.h"
 #include "src/record/folder_lock.h"
 #include "src/record/text_file.h"
@@ -74,8 +76,20 @@ std::string format_of(const RenderRequest& request) {
 
 fs::path place_of(const RenderRequest& request, const std::string& format, const std::string& colour) {
     if (request.out) return *request.out;
-    if (format == k_movie) return request.folder / ("movie-" + colour + "." + format);
-    return request.folder / ("frames-" + colour);
+    if (format == k_movie) return movie_in(request.folder, colour);
+    return frames_in(request.folder, colour);
+}
+
+/// A name that promises another format than the one that is drawn.
+void check_ending(const fs::path& place, const std::string& format) {
+    constexpr std::array media{".avi",  ".gif", ".jpeg", ".jpg", ".m4v", ".mkv", ".mov", ".mp4",
+                               ".mpeg", ".mpg", ".ogv",  ".pdf", ".png", ".svg", ".webm"};
+    const std::string ending = place.extension().string();
+    const bool promises = std::ranges::find(media, ending) != media.end();
+    require(!promises || (format == k_movie && ending == std::string(".") + k_movie),
+            "{}: would be {} {}; give a movie a name that ends in .mp4, and frames a folder, with the --format of its "
+            "files",
+            place.string(), format == k_movie ? "a movie in" : "a folder of frames in", format);
 }
 
 /// Takes one picture after the other.
@@ -124,6 +138,7 @@ private:
 
 std::unique_ptr<Output> open_output(const RenderRequest& request, const fs::path& place, const std::string& format,
                                     const FrameStyle& style) {
+    check_ending(place, format);
     const bool filled = fs::is_directory(place) ? !fs::is_empty(place) : fs::exists(place);
     require(request.force || !filled, "{}: is there already; give another name with -o, or --force to replace it",
             place.string());

@@ -1,11 +1,10 @@
 #include "src/cli/run_folder.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
-#include <vector>
 
 #include "scenarios/reader.h"
+#include "src/cli/made_of_run.h"
 #include "src/core/error.h"
 #include "src/record/checkpoint_file.h"
 #include "src/record/text_file.h"
@@ -21,21 +20,6 @@ namespace {
 constexpr std::array k_run_files{"scenario.toml",      "scenario.toml.part", "summary.json",  "summary.json.part",
                                  "series.csv",         "impacts.csv",        "trajectory.h5", "trajectory.h5.part",
                                  "checkpoint.h5.part", "checkpoint.h5"};
-constexpr const char* k_sheet = "sheet.png";  // made of a run when it has ended
-
-bool belongs_to_frames(const fs::path& file) {
-    constexpr std::array extensions{".png", ".svg", ".pdf"};
-    if (file.filename() == "index.csv") return true;
-    const std::string stem = file.stem().string();
-    return !stem.empty() && std::ranges::all_of(stem, [](char c) { return c >= '0' && c <= '9'; }) &&
-           std::ranges::find(extensions, file.extension().string()) != extensions.end();
-}
-
-bool holds_frames(const fs::path& frames) {
-    return fs::is_directory(frames) && std::ranges::any_of(fs::directory_iterator(frames), [](const auto& entry) {
-               return belongs_to_frames(entry.path());
-           });
-}
 
 /// What a run would replace in the folder; nothing where it would replace nothing.
 std::string first_replaced(const fs::path& folder) {
@@ -55,14 +39,6 @@ void remove_run_files(const fs::path& folder) {
 }
 
 }  // namespace
-
-void remove_frames(const fs::path& frames) {
-    std::vector<fs::path> drawn;
-    for (const fs::directory_entry& entry : fs::directory_iterator(frames)) {
-        if (belongs_to_frames(entry.path())) drawn.push_back(entry.path());
-    }
-    for (const fs::path& file : drawn) fs::remove(file);
-}
 
 bool holds_run(const fs::path& folder) {
     return is_resolved_scenario(folder / "scenario.toml") || is_checkpoint(folder / "checkpoint.h5");
@@ -107,7 +83,7 @@ void clear_run_folder(const fs::path& folder) {
     if (!holds_run(folder)) return;
     try {
         remove_run_files(folder);
-        fs::remove(folder / k_sheet);
+        remove_made_of_run(folder);
     } catch (const fs::filesystem_error& error) {
         throw RunError(fmt::format("cannot empty the run folder {}: {}", folder.string(), error.code().message()));
     }

@@ -26,13 +26,10 @@ void check_scenario_stays(const std::filesystem::path& folder, const std::filesy
 /// written.
 FolderLock claim_folder(const std::filesystem::path& folder, const std::function<void()>& check);
 
-/// Removes what an earlier run left in the folder: only files that a run folder is made of, nothing else, and nothing
-/// at all where there is no run in it. RunError where that fails. Another program that runs in the folder would lose
-/// its files: take a FolderLock first.
+/// Removes what an earlier run left in the folder, and what was drawn or tabulated of it there (remove_made_of_run):
+/// only files that these are made of, nothing else, and nothing at all where there is no run in it. RunError where that
+/// fails. Another program that runs in the folder would lose its files: take a FolderLock first.
 void clear_run_folder(const std::filesystem::path& folder);
-
-/// Removes drawn frames and their index.csv from a folder, nothing else.
-void remove_frames(const std::filesystem::path& frames);
 
 /// Removes the files of a run that has begun from the folder, and the folder if it is empty then. Take a FolderLock
 /// first.

@@ -2,6 +2,7 @@
 
 #include "render/contact_sheet.h"
 #include "src/cli/commands.h"
+#include "src/cli/made_of_run.h"
 #include "src/cli/recording.h"
 #include "src/core/error.h"
 
@@ -11,7 +12,7 @@ namespace fs = std::filesystem;
 
 int sheet_command(const SheetRequest& request) {
     require_run_folder(request.folder);
-    const fs::path sheet = request.sheet.value_or(request.folder / "sheet.png");
+    const fs::path sheet = request.sheet.value_or(sheet_in(request.folder));
     require(request.force || !fs::exists(sheet), "{}: is there already; give another name with -o, or --force",
             sheet.string());
     ContactSheetSettings settings;

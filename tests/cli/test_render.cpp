@@ -152,6 +152,22 @@ TEST_F(Render, RefusesNumbersThatAreNone) {
     }
 }
 
+TEST_F(Render, RefusesNamesThatPromiseAnotherFormat) {
+    using Words = std::vector<std::string>;
+    for (const Words& output : {Words{"-o", "x.avi"},
+                                {"-o", "x.png"},
+                                {"-o", "x.mp4", "--format", "svg"},
+                                {"-o", "x.gif", "--format", "mp4"}}) {
+        Words words{"render", "run"};
+        words.insert(words.end(), output.begin(), output.end());
+        const Outcome refused = polargrain(words);
+        EXPECT_EQ(refused.exit_code, 2) << output[1];
+        EXPECT_THAT(refused.err, testing::AllOf(HasSubstr(output[1]), HasSubstr("ends in .mp4")));
+        EXPECT_FALSE(fs::exists(scratch_ / output[1]));
+    }
+    EXPECT_EQ(polargrain({"render", "run", "-o", "with.dot"}).exit_code, 0);
+}
+
 TEST_F(Render, RefusesToOverwriteAndWrongSizes) {
     ASSERT_EQ(polargrain({"render", "run", "-o", "v"}).exit_code, 0);
     EXPECT_EQ(polargrain({"render", "run", "-o", "v"}).exit_code, 2);

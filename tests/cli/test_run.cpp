@@ -158,6 +158,29 @@ TEST_F(Run, ForceRemovesOnlyWhatARunFolderIsMadeOf) {
     EXPECT_FALSE(fs::exists(scratch_ / "here" / "frames" / "000007.png"));
 }
 
+TEST_F(Run, ForceRemovesWhatWasMadeOfTheRunThatIsReplaced) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
+    ASSERT_EQ(run_polargrain({"export", "here", "--format", "vtk,csv"}, scratch_.path()).exit_code, 0);
+    ASSERT_EQ(run_polargrain({"render", "here", "--colour", "by=id"}, scratch_.path()).exit_code, 0);
+    for (const char* name :
+         {"plot.png", "plot.pdf", "plot.csv", "movie-speed.mp4", "export/mine.txt", "plot-of-mine.png"}) {
+        scratch_.write(std::string("here/") + name, "old");
+    }
+    ASSERT_TRUE(fs::exists(scratch_ / "here" / "export" / "grains.csv"));
+    ASSERT_TRUE(fs::exists(scratch_ / "here" / "frames-id" / "000000.png"));
+    ASSERT_EQ(run({"three.toml", "-o", "here", "--force"}).exit_code, 0);
+    for (const char* name : {"plot.png", "plot.pdf", "plot.csv", "movie-speed.mp4", "frames-id", "export/grains.csv",
+                             "export/grains.pvd", "export/grains"}) {
+        EXPECT_FALSE(fs::exists(scratch_ / "here" / name)) << name << ": of a run that is no longer there";
+    }
+    EXPECT_TRUE(fs::exists(scratch_ / "here" / "export" / "mine.txt"));
+    EXPECT_TRUE(fs::exists(scratch_ / "here" / "plot-of-mine.png"));
+    scratch_.write("here/plot.png", "mine");
+    ASSERT_EQ(run({"three.toml", "-o", "here", "--force"}).exit_code, 0);
+    EXPECT_TRUE(fs::exists(scratch_ / "here" / "plot.png")) << "a plot has three files";
+}
+
 TEST_F(Run, RefusesAFileInPlaceOfTheFolder) {
     scratch_.write("three.toml", k_three_disks);
     const Outcome outcome = run({"three.toml", "-o", "three.toml"});
