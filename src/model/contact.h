@@ -37,7 +37,7 @@ enum class SlipMode : std::uint8_t {
     direct_sliding,   ///< no sliding at first, but friction is too weak
     on_feet,          ///< together with the feet of the grains, whose rows follow; any of the above
     on_face,          ///< shared by two contacts of a face that lands flat, in two rows; any of the above
-    foot,             ///< what keeps a foot where it is during the impact on_feet before it
+    foot,             ///< what keeps a foot where it is during the impact on_feet or on_face before it
 };
 
 const char* to_string(SlipMode mode);

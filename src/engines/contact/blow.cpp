@@ -30,9 +30,9 @@ bool BlowSolver::meets(std::int32_t k, double speed, double h) const {
 /// Both bodies of an impact after it, free or on their feet.
 struct BlowSolver::Answer {
     Footing i, j;
-    ImpactResult result;
+    FaceBlow blow;
 
-    bool is_consistent() const { return i.is_consistent() && j.is_consistent() && result.friction_loss >= 0.0; }
+    bool is_consistent() const { return i.is_consistent() && j.is_consistent() && blow.result.friction_loss >= 0.0; }
 };
 
 Blow BlowSolver::solve(std::int32_t struck, double speed, double h) const {
@@ -45,18 +45,15 @@ Blow BlowSolver::solve(std::int32_t struck, double speed, double h) const {
         find_stances(c.i, speed, stances_i);
         find_stances(c.j, speed, stances_j);
     }
-    if (stances_i.empty() && stances_j.empty()) {
-        const auto [first, second] = face_of(struck, speed, h);
-        if (first != second) return blow_on_face(first, second, restitution);
-    }
+    const Ends ends = face_of(struck, speed, h);
     stances_i.push_back({});
     stances_j.push_back({});
     for (const Stance& stance_i : stances_i) {
         for (const Stance& stance_j : stances_j) {
-            const Answer a = answer(c, restitution, stance_i, stance_j);
+            const Answer a = answer(ends, restitution, stance_i, stance_j);
             const bool free = stance_i.free() && stance_j.free();
             if (free || (a.is_consistent() && !presses_another(a.i, stances_i) && !presses_another(a.j, stances_j))) {
-                return blow(struck, a, restitution, stance_i, stance_j);
+                return blow(ends, a, restitution, stance_i, stance_j);
             }
         }
     }
@@ -74,9 +71,9 @@ bool BlowSolver::lands_with(const GapContact& struck, std::int32_t other, double
 
 /// The ends of the face that lands flat with the contact: those of the contacts that meet with it which are farthest
 /// apart. Twice the contact itself where it is alone.
-std::pair<std::int32_t, std::int32_t> BlowSolver::face_of(std::int32_t struck, double speed, double h) const {
+BlowSolver::Ends BlowSolver::face_of(std::int32_t struck, double speed, double h) const {
     const GapContact& c = contact(struck);
-    std::pair<std::int32_t, std::int32_t> ends{struck, struck};
+    Ends ends{struck, struck};
     const auto station = [&](std::int32_t k) { return c.tangent().dot(contact(k).point); };
     for (const std::int32_t k : by_grain_->of(c.i)) {
         if (k == struck || !lands_with(c, k, speed, h)) continue;
@@ -84,19 +81,6 @@ std::pair<std::int32_t, std::int32_t> BlowSolver::face_of(std::int32_t struck, d
         if (station(k) > station(ends.second)) ends.second = k;
     }
     return ends;
-}
-
-Blow BlowSolver::blow_on_face(std::int32_t first, std::int32_t second, double restitution) const {
-    const auto [result, of_second] = solve_face_blow(contact(first), contact(second), *bodies_, restitution);
-    Blow b;
-    b.restitution_loss = result.restitution_loss;
-    b.friction_loss = result.friction_loss;
-    for (const auto& [end, share] : {std::pair{first, 1.0 - of_second}, std::pair{second, of_second}}) {
-        if (share == 0.0) continue;
-        const SlipMode mode = share == 1.0 ? result.mode : SlipMode::on_face;
-        b.add({end, share * result.normal, share * result.tangential, restitution, mode});
-    }
-    return b;
 }
 
 void BlowSolver::find_stances(GrainIndex grain, double speed, std::vector<Stance>& stances) const {
@@ -112,21 +96,23 @@ void BlowSolver::find_stances(GrainIndex grain, double speed, std::vector<Stance
     }
 }
 
-BlowSolver::Answer BlowSolver::answer(const GapContact& c, double restitution, const Stance& stance_i,
+BlowSolver::Answer BlowSolver::answer(const Ends& ends, double restitution, const Stance& stance_i,
                                       const Stance& stance_j) const {
+    const GapContact& first = contact(ends.first);
+    const GapContact& second = contact(ends.second);
     const auto footing = [&](BodyIndex body, const Stance& stance) {
-        if (is_wall(body)) return Footing(c.wall_velocity);
-        const Vec2 centre = c.point - halfway_->arm(c, body);
+        if (is_wall(body)) return Footing(first.wall_velocity);
+        const Vec2 centre = first.point - halfway_->arm(first, body);
         if (stance.free()) return Footing((*bodies_)[at(body)], centre);
         return Footing((*bodies_)[at(body)], centre, contact(stance.foot), stance.grip);
     };
-    Answer a{footing(c.i, stance_i), footing(c.j, stance_j), {}};
-    const ContactFrame frame = contact_frame(c.normal, c.point, a.i, a.j);
-    const Vec2 u = a.i.velocity_at(c.point) - a.j.velocity_at(c.point);
-    a.result = solve_impact(frame, {u.dot(frame.tangent()), u.dot(frame.normal)}, c.friction, restitution);
-    const Vec2 p = a.result.normal * c.normal + a.result.tangential * c.tangent();
-    a.i.take(p, c.point);
-    a.j.take(-p, c.point);
+    Answer a{footing(first.i, stance_i), footing(first.j, stance_j), {}};
+    if (ends.first == ends.second) {
+        a.blow.result = SharedImpact(first, second, a.i, a.j, 0.0).solve(restitution, false);
+    } else {
+        a.blow = solve_face_blow(first, second, a.i, a.j, restitution);
+    }
+    SharedImpact(first, second, a.i, a.j, a.blow.of_second).push(a.blow.result, a.i, a.j);
     return a;
 }
 
@@ -140,13 +126,18 @@ bool BlowSolver::presses_another(const Footing& footing, const std::vector<Stanc
     });
 }
 
-Blow BlowSolver::blow(std::int32_t struck, const Answer& a, double restitution, const Stance& stance_i,
+Blow BlowSolver::blow(const Ends& ends, const Answer& a, double restitution, const Stance& stance_i,
                       const Stance& stance_j) const {
+    const auto& [result, of_second] = a.blow;
     Blow b;
-    b.restitution_loss = a.result.restitution_loss + a.i.restitution_loss() + a.j.restitution_loss();
-    b.friction_loss = a.result.friction_loss + a.i.friction_loss() + a.j.friction_loss();
-    const SlipMode mode = a.i.stands() || a.j.stands() ? SlipMode::on_feet : a.result.mode;
-    b.add({struck, a.result.normal, a.result.tangential, restitution, mode});
+    b.restitution_loss = result.restitution_loss + a.i.restitution_loss() + a.j.restitution_loss();
+    b.friction_loss = result.friction_loss + a.i.friction_loss() + a.j.friction_loss();
+    const SlipMode alone = a.i.stands() || a.j.stands() ? SlipMode::on_feet : result.mode;
+    for (const auto& [end, share] : {std::pair{ends.first, 1.0 - of_second}, std::pair{ends.second, of_second}}) {
+        if (share == 0.0) continue;
+        const SlipMode mode = share == 1.0 ? alone : SlipMode::on_face;
+        b.add({end, share * result.normal, share * result.tangential, restitution, mode});
+    }
     for (const auto& [footing, stance] : {std::pair{&a.i, &stance_i}, std::pair{&a.j, &stance_j}}) {
         if (stance->free()) continue;
         const GapContact& foot = contact(stance->foot);

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "src/engines/contact/by_grain.h"
@@ -24,7 +23,7 @@ struct BlowPush {
 /// One impact: the impulse at the contact, or at the two ends of a face, and those at the feet of its grains, and what
 /// they take [J/m].
 struct Blow {
-    static constexpr std::size_t k_most_pushes = 3;
+    static constexpr std::size_t k_most_pushes = 4;
 
     std::array<BlowPush, k_most_pushes> pushes;
     std::size_t count = 0;
@@ -36,7 +35,7 @@ struct Blow {
 /// Finds the impulses of an impact by Stronge's law.
 ///
 /// Grains that stand on a wall turn about their foot while another grain strikes them, where foot and friction can hold
-/// them (Footing); both grains of a pair may.
+/// them (Footing); both grains of a pair may. A face that lands flat strikes with both of its ends at once (FaceBlow).
 class BlowSolver {
 public:
     static constexpr double k_foot_gap = 2.0;    ///< feet rest at most this many resting gaps from the wall
@@ -65,16 +64,19 @@ private:
 
         bool free() const { return foot < 0; }
     };
+    /// The contacts at which an impact acts: the two ends of a face that lands flat, or twice the same one.
+    struct Ends {
+        std::int32_t first, second;
+    };
     struct Answer;
 
     const GapContact& contact(std::int32_t k) const { return (*contacts_)[static_cast<std::size_t>(k)]; }
     void find_stances(GrainIndex grain, double speed, std::vector<Stance>& stances) const;
     bool lands_with(const GapContact& struck, std::int32_t other, double speed, double h) const;
-    std::pair<std::int32_t, std::int32_t> face_of(std::int32_t struck, double speed, double h) const;
-    Blow blow_on_face(std::int32_t first, std::int32_t second, double restitution) const;
-    Answer answer(const GapContact& c, double restitution, const Stance& stance_i, const Stance& stance_j) const;
+    Ends face_of(std::int32_t struck, double speed, double h) const;
+    Answer answer(const Ends& ends, double restitution, const Stance& stance_i, const Stance& stance_j) const;
     bool presses_another(const Footing& footing, const std::vector<Stance>& stances) const;
-    Blow blow(std::int32_t contact, const Answer& answer, double restitution, const Stance& stance_i,
+    Blow blow(const Ends& ends, const Answer& answer, double restitution, const Stance& stance_i,
               const Stance& stance_j) const;
 
     const Scene& scene_;

@@ -67,6 +67,8 @@ struct FlightMeetings::Outlines {
     Pose pose_i, pose_j;
     double time;
     bool meet;
+
+    Vec2 vertex_of(bool on_i, int vertex) const;
 };
 
 void FlightMeetings::foresee_polygons(std::size_t first, double from, double to) const {
@@ -86,22 +88,35 @@ void FlightMeetings::foresee_polygons(std::size_t first, double from, double to)
     if (!may_meet(c, i, j, to) || !is_free(c.i) || !is_free(c.j)) return;
     const auto meeting = first_meeting(*outline_i, i, *outline_j, j, c.resting, from, to);
     const double time = meeting ? meeting->time : to;
-    auto strikes = pair.end();
-    if (meeting) {
-        // The search for gap points looked where the grains were. What it has not found takes the place of the point
-        // that is farthest from striking.
-        strikes = std::ranges::find_if(pair, [&](const GapContact& k) {
-            return k.vertex == meeting->vertex && k.edge == meeting->edge && k.on_i == meeting->on_i;
-        });
-        if (strikes == pair.end()) strikes = std::ranges::max_element(pair, {}, &GapContact::gap);
-        strikes->vertex = meeting->vertex;
-        strikes->edge = meeting->edge;
-        strikes->on_i = meeting->on_i;
-    }
     const Outlines then{*outline_i, *outline_j, i.at(time), j.at(time), time, meeting.has_value()};
-    for (auto k = pair.begin(); k != pair.end(); ++k) {
-        turn(*k, first + static_cast<std::size_t>(k - pair.begin()), then, k == strikes);
-    }
+    GapContact* const strikes = meeting ? &contact_of(*meeting, then, pair) : nullptr;
+    for (std::size_t k = 0; k < pair.size(); ++k) turn(pair[k], first + k, then, &pair[k] == strikes);
+}
+
+/// The vertex of a contact point [m].
+Vec2 FlightMeetings::Outlines::vertex_of(bool on_i, int vertex) const {
+    return on_i ? pose_i.to_world(i.vertex(vertex)) : pose_j.to_world(j.vertex(vertex));
+}
+
+/// Of the pair's contacts, the one that strikes. The search for gap points looked where the grains were; what it has
+/// not found takes the place of the same place by another name, corner on corner, or else of the point that is farthest
+/// from striking.
+GapContact& FlightMeetings::contact_of(const OutlineMeeting& meeting, const Outlines& then,
+                                       std::span<GapContact> pair) const {
+    const auto found = std::ranges::find_if(pair, [&](const GapContact& k) {
+        return k.vertex == meeting.vertex && k.edge == meeting.edge && k.on_i == meeting.on_i;
+    });
+    if (found != pair.end()) return *found;
+    const Vec2 place = then.vertex_of(meeting.on_i, meeting.vertex);
+    const auto same = std::ranges::find_if(pair, [&](const GapContact& k) {
+        // Flush to within the resting gap, and that far apart.
+        return (then.vertex_of(k.on_i, k.vertex) - place).squaredNorm() <= 2.01 * k.resting * k.resting;
+    });
+    GapContact& c = same != pair.end() ? *same : *std::ranges::max_element(pair, {}, &GapContact::gap);
+    c.vertex = meeting.vertex;
+    c.edge = meeting.edge;
+    c.on_i = meeting.on_i;
+    return c;
 }
 
 bool FlightMeetings::begins_pair(std::size_t contact) const {
@@ -147,7 +162,10 @@ void FlightMeetings::turn(GapContact& c, std::size_t contact, const Outlines& th
     const Vec2 start = other_pose.to_world(other.vertex(c.edge));
     const Vec2 along = other_pose.to_world(other.vertex(other.next(c.edge))) - start;
     const double station = along.dot(c.point - start);
-    const bool over = station >= 0.0 && station <= along.squaredNorm();
+    // Corners that are flush to within the gap at which they rest are each over the other's edge, or a face that they
+    // end would lose that end.
+    const double length = std::sqrt(along.squaredNorm());
+    const bool over = station >= -c.resting * length && station <= (length + c.resting) * length;
     const double gap = std::max(0.0, outward.dot(c.point - start) - c.resting);
     // What would strike later is looked for again after the first; what lands with it, as the other end of a face, is
     // not later.

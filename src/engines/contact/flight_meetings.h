@@ -12,6 +12,7 @@
 namespace polargrain {
 
 struct Flight;
+struct OutlineMeeting;
 
 /// Gives the contacts of two grains that fly the normal, the arms and the gap of the moment at which they meet.
 ///
@@ -54,6 +55,7 @@ private:
 
     void foresee_polygons(std::size_t first, double from, double to) const;
     std::span<GapContact> pair_of(std::size_t first) const;
+    GapContact& contact_of(const OutlineMeeting& meeting, const Outlines& then, std::span<GapContact> pair) const;
     bool is_free(GrainIndex grain) const;
     bool may_meet(const GapContact& c, const Flight& i, const Flight& j, double to) const;
     Flight flight_of(GrainIndex grain) const;

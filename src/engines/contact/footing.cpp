@@ -38,7 +38,7 @@ Footing::Footing(const SolverBody& body, const Vec2& centre, const GapContact& f
 
 /// `velocity_before` [m/s]: of the foot, before the blow of which p is part.
 void Footing::push_foot(const Vec2& p, const Vec2& velocity_before) {
-    push(p, foot_->point);
+    push(p, moment(p, foot_->point));
     foot_impulse_ += p;
     const Vec2 mean = 0.5 * (velocity_before + foot_velocity());
     const Vec2 t = foot_->tangent();
@@ -46,24 +46,24 @@ void Footing::push_foot(const Vec2& p, const Vec2& velocity_before) {
     friction_loss_ -= p.dot(t) * mean.dot(t);
 }
 
-void Footing::push(const Vec2& p, const Vec2& point) {
+void Footing::push(const Vec2& p, double of_p) {
     velocity_ += inverse_mass_ * p;
-    spin_ += inverse_inertia_ * cross(Vec2(point - centre_), p);
+    spin_ += inverse_inertia_ * of_p;
 }
 
-/// What the foot adds to an impulse p at `point`: it keeps the foot from sinking, and from slipping if it holds.
-Vec2 Footing::reaction(const Vec2& p, const Vec2& point) const {
+/// What the foot adds to an impulse: it keeps the foot from sinking, and from slipping if it holds.
+Vec2 Footing::reaction(const Vec2& p, double of_p) const {
     if (!stands()) return Vec2::Zero();
     const Vec2 arm = foot_->point - centre_;
-    const auto foot_answer = [&](const Vec2& impulse, const Vec2& at) {
-        return Vec2(inverse_mass_ * impulse + cross(inverse_inertia_ * cross(Vec2(at - centre_), impulse), arm));
+    const auto foot_answer = [&](const Vec2& impulse, double about) {
+        return Vec2(inverse_mass_ * impulse + cross(inverse_inertia_ * about, arm));
     };
-    const Vec2 driven = foot_answer(p, point);
+    const Vec2 driven = foot_answer(p, of_p);
     const Vec2& n = foot_->normal;
     const Vec2 t = foot_->tangent();
     if (grip_ == Grip::holds) {
-        const Vec2 by_n = foot_answer(n, foot_->point);
-        const Vec2 by_t = foot_answer(t, foot_->point);
+        const Vec2 by_n = foot_answer(n, moment(n, foot_->point));
+        const Vec2 by_t = foot_answer(t, moment(t, foot_->point));
         const double nn = by_n.dot(n);
         const double nt = by_n.dot(t);
         const double tt = by_t.dot(t);
@@ -73,24 +73,27 @@ Vec2 Footing::reaction(const Vec2& p, const Vec2& point) const {
         return per * ((nt * d_t - tt * d_n) * n + (nt * d_n - nn * d_t) * t);
     }
     const Vec2 along = n + (grip_ == Grip::slips_back ? foot_->friction : -foot_->friction) * t;
-    return -driven.dot(n) / foot_answer(along, foot_->point).dot(n) * along;
+    return -driven.dot(n) / foot_answer(along, moment(along, foot_->point)).dot(n) * along;
 }
 
-Vec2 Footing::answer(const Vec2& p, const Vec2& point) const {
+Footing Footing::after(const Vec2& p, double of_p) const {
     Footing after = *this;
-    after.push(p, point);
-    if (stands()) after.push(reaction(p, point), foot_->point);
-    return after.velocity_at(point) - velocity_at(point);
+    after.push(p, of_p);
+    if (stands()) {
+        const Vec2 foot = reaction(p, of_p);
+        after.push(foot, moment(foot, foot_->point));
+    }
+    return after;
 }
 
-void Footing::take(const Vec2& p, const Vec2& point) {
+void Footing::take(const Vec2& p, double of_p) {
     if (!stands()) {
-        push(p, point);
+        push(p, of_p);
         return;
     }
-    const Vec2 foot = reaction(p, point);
+    const Vec2 foot = reaction(p, of_p);
     const Vec2 before = foot_velocity();
-    push(p, point);
+    push(p, of_p);
     push_foot(foot, before);
 }
 
@@ -103,19 +106,6 @@ bool Footing::is_consistent() const {
     const double slip = foot_velocity().dot(t);
     const double round_off = k_no_slip * inverse_mass_ * pressing;
     return grip_ == Grip::slips_back ? slip < round_off : slip > -round_off;
-}
-
-ContactFrame contact_frame(const Vec2& normal, const Vec2& point, const Footing& i, const Footing& j) {
-    ContactFrame f{normal};
-    const Vec2 t = f.tangent();
-    const auto answer = [&](const Vec2& p) { return Vec2(i.answer(p, point) + j.answer(p, point)); };
-    const Vec2 by_t = answer(t);
-    const Vec2 by_n = answer(normal);
-    f.b1 = by_t.dot(t);
-    f.b2 = by_n.dot(normal);
-    f.b3 = -by_n.dot(t);
-    f.b4 = -by_t.dot(normal);
-    return f;
 }
 
 }  // namespace polargrain

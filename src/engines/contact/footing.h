@@ -36,11 +36,17 @@ public:
     /// Velocity of a point of the body [m/s].
     Vec2 velocity_at(const Vec2& point) const { return velocity_ + cross(spin_, Vec2(point - centre_)); }
 
-    /// How the velocity at `point` answers to an impulse p [N s/m] there.
-    Vec2 answer(const Vec2& p, const Vec2& point) const;
+    double spin() const { return spin_; }
 
-    /// Takes the impulse p at `point`, and what the foot adds.
-    void take(const Vec2& p, const Vec2& point);
+    /// Of an impulse p at `point`, about the centre of mass [N s].
+    double moment(const Vec2& p, const Vec2& point) const { return cross(Vec2(point - centre_), p); }
+
+    /// The body after an impulse p [N s/m] with the moment of_p about the centre of mass, and after what the foot adds;
+    /// nothing is booked.
+    Footing after(const Vec2& p, double of_p) const;
+
+    /// Takes the impulse p with that moment, and what the foot adds.
+    void take(const Vec2& p, double of_p);
 
     /// On the grain at its foot, so far [N s/m].
     const Vec2& foot_impulse() const { return foot_impulse_; }
@@ -53,8 +59,8 @@ public:
     double friction_loss() const { return friction_loss_; }
 
 private:
-    Vec2 reaction(const Vec2& p, const Vec2& point) const;
-    void push(const Vec2& p, const Vec2& point);
+    Vec2 reaction(const Vec2& p, double of_p) const;
+    void push(const Vec2& p, double of_p);
     void push_foot(const Vec2& p, const Vec2& velocity_before);
     Vec2 foot_velocity() const { return velocity_at(foot_->point) - foot_->wall_velocity; }
 
@@ -67,8 +73,5 @@ private:
     Vec2 foot_impulse_ = Vec2::Zero();
     double restitution_loss_ = 0.0, friction_loss_ = 0.0;
 };
-
-/// The frame of an impact between bodies that may stand on their feet.
-ContactFrame contact_frame(const Vec2& normal, const Vec2& point, const Footing& i, const Footing& j);
 
 }  // namespace polargrain

@@ -69,12 +69,22 @@ void GapImpacts::run(const std::vector<std::int32_t>& closing, double h) {
     left_ -= h;
 }
 
+/// Of the two bodies of a contact, by their velocities at it [m/s].
+double GapImpacts::fastest_of(const GapContact& c) const {
+    const auto speed_of = [](const SolverBody& body, double arm) {
+        return std::sqrt(body.velocity.squaredNorm()) + std::abs(arm * body.spin);
+    };
+    const double i = speed_of((*now_.bodies)[at(c.i)], c.arm_ni);
+    if (is_wall(c.j)) return std::max(i, std::sqrt(c.wall_velocity.squaredNorm()));
+    return std::max(i, speed_of((*now_.bodies)[at(c.j)], c.arm_nj));
+}
+
 /// Adds the contact if it strikes.
 void GapImpacts::look_at(std::int32_t contact, double h, std::vector<Strike>& found) const {
     const GapContact& c = (*now_.contacts)[at(contact)];
     if (!c.active) return;
     const double speed = -normal_speed(c, *now_.bodies);
-    if (speed <= impact_speed_) return;
+    if (speed <= impact_speed_ || speed <= k_no_speed * fastest_of(c)) return;
     if (blow_solver_.meets(contact, speed, h)) found.push_back({speed, contact, c.i, c.j});
 }
 

@@ -27,9 +27,10 @@ namespace polargrain {
 /// two has last been struck.
 class GapImpacts {
 public:
-    static constexpr double k_impact = 3.0;    ///< closing speeds above this many g dt are impacts
-    static constexpr int k_most_impacts = 20;  ///< per contact and sub-step
-    static constexpr double k_alone = 8.0;     ///< ways of a sub-step; at a wall nothing else may be nearer
+    static constexpr double k_impact = 3.0;     ///< closing speeds above this many g dt are impacts
+    static constexpr double k_no_speed = 1e-9;  ///< of the bodies' own: plastic impacts leave less to be done
+    static constexpr int k_most_impacts = 20;   ///< per contact and sub-step
+    static constexpr double k_alone = 8.0;      ///< ways of a sub-step; at a wall nothing else may be nearer
 
     explicit GapImpacts(const Scene& scene);
 
@@ -83,6 +84,7 @@ private:
         double time = 0.0;
     };
 
+    double fastest_of(const GapContact& c) const;
     void look_at(std::int32_t contact, double h, std::vector<Strike>& found) const;
     void find_strikes(const std::vector<std::int32_t>& candidates, double h);
     void look_about(const Turn& turn, double h, std::vector<Strike>& found) const;

@@ -354,6 +354,7 @@ void GapSolver::leave_edge(std::size_t contact, GapContact& c, StepReport& repor
         c.active = true;
         halfway_.set_arms(c, bodies_);
         add_to_guess(c, 1.0);
+        closing_.push_back(static_cast<std::int32_t>(contact));  // along another normal
     }
     lanes_.put(c, contact, bodies_);
 }
