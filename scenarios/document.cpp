@@ -142,6 +142,8 @@ void Document::apply(const ScenarioOverrides& overrides) {
     if (overrides.no_frames) assign({"--no-frames"}, "output.frames.every", "0");
 }
 
+std::string normal_key(const std::string& origin, const std::string& path) { return joined(split_path(origin, path)); }
+
 void Document::assign(const SourceLocation& from, const std::string& text) {
     const std::string origin = to_string(from);
     require(fits_toml(text), "{}: is not UTF-8", origin);

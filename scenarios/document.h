@@ -41,4 +41,7 @@ private:
     std::vector<Override> overrides_;  ///< the latest first
 };
 
+/// A key path as Document::where takes it: "walls.0.points" becomes "walls[0].points". InputError where it is none.
+std::string normal_key(const std::string& origin, const std::string& path);
+
 }  // namespace polargrain

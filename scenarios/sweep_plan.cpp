@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 
+#include "scenarios/document.h"
 #include "scenarios/toml_text.h"
 #include "src/core/error.h"
 #include "src/core/nearest_name.h"
@@ -222,18 +224,24 @@ SweepPlan load_sweep(const fs::path& path) {
     plan.engines = engines_of(file);
     plan.seeds = seeds_of(file);
     plan.frames = flag_of(file, "frames", false);
-    std::set<std::string> set_keys;
+    // However a key is spelt: of two that lay over the same value the last would win, and the table would tell of both.
+    std::map<std::string, std::string> tables;
+    const auto claim = [&](const std::string& key, const toml::node& value, const std::string& table) {
+        const SourceLocation place = file.place(value.source());
+        const auto [found, is_new] = tables.emplace(normal_key(to_string(place), key), table);
+        if (is_new) return;
+        const std::string where = found->second == table ? "in this table already, spelt otherwise" : "in [set] too";
+        file.fail(value.source(), fmt::format("{}: stands {}; leave one of them out", key, where));
+    };
     if (const toml::table* set = table_of(file, "set")) {
         for_each_setting(file, *set, "", [&](const std::string& key, const toml::node& value) {
-            set_keys.insert(key);
+            claim(key, value, "set");
             plan.set.push_back({key + "=" + toml_text(value), file.place(value.source())});
         });
     }
     if (const toml::table* vary = table_of(file, "vary")) {
         for_each_setting(file, *vary, "", [&](const std::string& key, const toml::node& values) {
-            if (set_keys.contains(key)) {
-                file.fail(values.source(), fmt::format("{}: stands in [set] too; leave it out of one of them", key));
-            }
+            claim(key, values, "vary");
             SweepPlan::Parameter parameter{key, {}};
             for (const toml::node& value : *filled_array(file, key, values)) {
                 parameter.values.push_back(file.value(value));

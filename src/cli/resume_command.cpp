@@ -54,7 +54,12 @@ int resume_command(const ResumeRequest& request) {
     PreparedRun run = prepare_run(session.scenario_file().string(), overrides);
     // Not as an override: the scenario of the run stays what it was.
     if (request.threads) run.scenario.scene.threads = *request.threads;
-    session.opening_line = where(session, saved, run.scenario.run.duration);
+    const double duration = run.scenario.run.duration;
+    require(!saved || request.until || time_reached(*saved) < duration + run.time_step.dt,
+            "{}: run.duration is {:.6g} s, and the run is at t = {:.6g} s already; give the time that it was, or a "
+            "later one",
+            session.scenario_file().string(), duration, saved ? time_reached(*saved) : 0.0);
+    session.opening_line = where(session, saved, duration);
     try {
         return run_session(session, lock, run, saved ? &*saved : nullptr);
     } catch (const InputError&) {

@@ -261,6 +261,10 @@ TEST_F(Resume, RefusesAScenarioOrFilesThatWereChangedMeanwhile) {
     const Outcome refused = polargrain({"resume", "run"});
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, HasSubstr("scenario.toml"));
+    scratch_.write("run/scenario.toml", replaced(scenario, "duration = 0.05", "duration = 0.02"));
+    const Outcome earlier = polargrain({"resume", "run"});
+    EXPECT_EQ(earlier.exit_code, 2);
+    EXPECT_THAT(earlier.err, testing::AllOf(HasSubstr("run.duration is 0.02 s"), HasSubstr("at t = 0.05 s already")));
     scratch_.write("run/scenario.toml", scenario);
     scratch_.write("run/series.csv", "time\n");
     const Outcome shorter = polargrain({"resume", "run"});

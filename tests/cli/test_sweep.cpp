@@ -210,6 +210,14 @@ TEST_F(Sweep, SaysWhatIsWrongInItsFile) {
                 HasSubstr("\"dem\" stands there"));
     EXPECT_THAT(refusal_of("scenario = \"three.toml\"\n[set]\nrun.duration = 1.0\n[vary]\n\"run.duration\" = [1.0]\n"),
                 HasSubstr("wrong.toml:5:18: run.duration: stands in [set] too"));
+    EXPECT_THAT(
+        refusal_of(
+            "scenario = \"three.toml\"\n[set]\n\"grains.0.friction\" = 1.0\n[vary]\n\"grains[0].friction\" = [1.0]\n"),
+        HasSubstr("wrong.toml:5:24: grains[0].friction: stands in [set] too"));
+    EXPECT_THAT(
+        refusal_of(
+            "scenario = \"three.toml\"\n[vary]\n\"grains.0.friction\" = [1.0]\n\"grains[0].friction\" = [0.5]\n"),
+        HasSubstr("stands in this table already, spelt otherwise"));
     EXPECT_EQ(polargrain({"sweep", "none.toml"}).exit_code, 2);
     fs::create_directories(scratch_ / "folder");
     const Outcome folder = polargrain({"sweep", "folder"});
