@@ -177,12 +177,17 @@ int decimals_for(double every) {
 
 }  // namespace
 
+std::vector<std::string> colour_names() {
+    std::vector<std::string> names;
+    for (const auto& [word, quantity] : k_colours) names.emplace_back(word);
+    return names;
+}
+
 ColourBy colour_by(std::string_view name) {
-    std::vector<std::string> known;
     for (const auto& [word, quantity] : k_colours) {
         if (name == word) return quantity;
-        known.emplace_back(word);
     }
+    const std::vector<std::string> known = colour_names();
     throw InputError(fmt::format(R"(colour "{}" is not known; the nearest is "{}" (one of {}))", name,
                                  nearest_name(name, known), fmt::join(known, ", ")));
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "src/core/vec2.h"
 #include "src/model/scene.h"
@@ -13,6 +14,9 @@ namespace polargrain {
 /// What a frame shows of the grains: by their fill, and with `force` by lines between the centres of grains that touch,
 /// as thick as the impulse is large.
 enum class ColourBy { speed, spin, angle, kinetic_energy, size, id, shape, material, contacts, force, none };
+
+/// The words for them, as after --colour.
+std::vector<std::string> colour_names();
 
 /// InputError names the nearest known word.
 ColourBy colour_by(std::string_view name);

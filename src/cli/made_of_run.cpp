@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "render/frame_style.h"
 #include "src/export/grains_csv.h"
 #include "src/export/vtk_export.h"
 #include "src/record/text_file.h"
@@ -13,10 +14,6 @@ namespace polargrain {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* k_frames = "frames-";
-constexpr const char* k_movie = "movie-";
-constexpr const char* k_movie_ending = ".mp4";
 
 bool is_of_frames(const fs::path& file) {
     constexpr std::array endings{".png", ".svg", ".pdf"};
@@ -54,11 +51,9 @@ fs::path sheet_in(const fs::path& folder) { return folder / "sheet.png"; }
 
 fs::path export_in(const fs::path& folder) { return folder / "export"; }
 
-fs::path frames_in(const fs::path& folder, const std::string& colour) { return folder / (k_frames + colour); }
+fs::path frames_in(const fs::path& folder, const std::string& colour) { return folder / ("frames-" + colour); }
 
-fs::path movie_in(const fs::path& folder, const std::string& colour) {
-    return folder / (k_movie + colour + k_movie_ending);
-}
+fs::path movie_in(const fs::path& folder, const std::string& colour) { return folder / ("movie-" + colour + ".mp4"); }
 
 fs::path plot_in(const fs::path& folder) { return folder / "plot"; }
 
@@ -66,12 +61,13 @@ void remove_made_of_run(const fs::path& folder) {
     fs::remove(sheet_in(folder));
     remove_plot(plot_in(folder));
     remove_export(export_in(folder));
-    for (const fs::path& entry : entries_of(folder)) {
-        const std::string name = entry.filename().string();
-        if (name.starts_with(k_movie) && entry.extension() == k_movie_ending) fs::remove(entry);
-        if (!name.starts_with(k_frames) || !fs::is_directory(entry)) continue;
-        remove_frames(entry);
-        remove_if_empty(entry);
+    // movie-of-my-own.mp4 is somebody's own.
+    for (const std::string& colour : colour_names()) {
+        fs::remove(movie_in(folder, colour));
+        const fs::path frames = frames_in(folder, colour);
+        if (!fs::is_directory(frames)) continue;
+        remove_frames(frames);
+        remove_if_empty(frames);
     }
 }
 

@@ -176,6 +176,22 @@ TEST_F(Run, ForceRemovesWhatWasMadeOfTheRunThatIsReplaced) {
     }
     EXPECT_TRUE(fs::exists(scratch_ / "here" / "export" / "mine.txt"));
     EXPECT_TRUE(fs::exists(scratch_ / "here" / "plot-of-mine.png"));
+}
+
+TEST_F(Run, ForceLeavesFilesAloneWhoseNamesAreOnlyLikeThoseOfItsOwn) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
+    fs::create_directories(scratch_ / "here" / "frames-for-my-talk");
+    const char* const mine[] = {"here/movie-of-my-own.mp4", "here/movie-.mp4", "here/frames-for-my-talk/000000.png",
+                                "here/frames-for-my-talk/index.csv"};
+    for (const char* name : mine) scratch_.write(name, "mine");
+    ASSERT_EQ(run({"three.toml", "-o", "here", "--force"}).exit_code, 0);
+    for (const char* name : mine) EXPECT_EQ(read_file(scratch_ / name), "mine") << name;
+}
+
+TEST_F(Run, ForceLeavesAPictureAloneThatIsNoWholePlot) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
     scratch_.write("here/plot.png", "mine");
     ASSERT_EQ(run({"three.toml", "-o", "here", "--force"}).exit_code, 0);
     EXPECT_TRUE(fs::exists(scratch_ / "here" / "plot.png")) << "a plot has three files";
