@@ -35,7 +35,7 @@ fs::path with_ending(const fs::path& stem, const char* ending) { return stem.str
 void remove_plot(const fs::path& stem) {
     const auto exists = [&](const char* ending) { return fs::is_regular_file(with_ending(stem, ending)); };
     if (!std::ranges::all_of(k_plot_endings, exists)) return;
-    for (const char* ending : k_plot_endings) fs::remove(with_ending(stem, ending));
+    for (const char* ending : k_plot_endings) remove_file(with_ending(stem, ending));
 }
 
 void remove_export(const fs::path& folder) {
@@ -58,12 +58,12 @@ fs::path movie_in(const fs::path& folder, const std::string& colour) { return fo
 fs::path plot_in(const fs::path& folder) { return folder / "plot"; }
 
 void remove_made_of_run(const fs::path& folder) {
-    fs::remove(sheet_in(folder));
+    remove_file(sheet_in(folder));
     remove_plot(plot_in(folder));
     remove_export(export_in(folder));
     // movie-of-my-own.mp4 is somebody's own.
     for (const std::string& colour : colour_names()) {
-        fs::remove(movie_in(folder, colour));
+        remove_file(movie_in(folder, colour));
         const fs::path frames = frames_in(folder, colour);
         if (!fs::is_directory(frames)) continue;
         remove_frames(frames);
@@ -73,7 +73,7 @@ void remove_made_of_run(const fs::path& folder) {
 
 void remove_frames(const fs::path& frames) {
     for (const fs::path& file : entries_of(frames)) {
-        if (is_of_frames(file)) fs::remove(file);
+        if (is_of_frames(file)) remove_file(file);
     }
 }
 

@@ -30,8 +30,20 @@ std::string first_replaced(const fs::path& folder) {
     return holds_frames(folder / "frames") ? "frames" : "";
 }
 
+/// A folder where a file of the run is to stand is found before anything is removed, not afterwards.
+void require_no_folders(const fs::path& folder) {
+    for (const char* name : k_run_files) {
+        const fs::path file = folder / name;
+        require(!fs::is_directory(file), "{}: is a folder, where a run puts a file; move it away, or give another -o",
+                file.string());
+    }
+    const fs::path frames = folder / "frames";
+    require(!fs::exists(frames) || fs::is_directory(frames),
+            "{}: is a file, where a run puts a folder; move it away, or give another -o", frames.string());
+}
+
 void remove_run_files(const fs::path& folder) {
-    for (const char* name : k_run_files) fs::remove(folder / name);
+    for (const char* name : k_run_files) remove_file(folder / name);
     const fs::path frames = folder / "frames";
     if (!fs::is_directory(frames)) return;
     remove_frames(frames);
@@ -81,11 +93,15 @@ FolderLock claim_folder(const fs::path& folder, const std::function<void()>& che
 
 void clear_run_folder(const fs::path& folder) {
     if (!holds_run(folder)) return;
+    require_no_folders(folder);
     try {
         remove_run_files(folder);
         remove_made_of_run(folder);
     } catch (const fs::filesystem_error& error) {
-        throw RunError(fmt::format("cannot empty the run folder {}: {}", folder.string(), error.code().message()));
+        const fs::path& entry = error.path1().empty() ? folder : error.path1();
+        throw RunError(fmt::format(
+            "{}: cannot be removed, so the run folder {} is not empty: {}; remove it yourself, or give another -o",
+            entry.string(), folder.string(), error.code().message()));
     }
 }
 

@@ -27,8 +27,9 @@ void check_scenario_stays(const std::filesystem::path& folder, const std::filesy
 FolderLock claim_folder(const std::filesystem::path& folder, const std::function<void()>& check);
 
 /// Removes what an earlier run left in the folder, and what was drawn or tabulated of it there (remove_made_of_run):
-/// only files that these are made of, nothing else, and nothing at all where there is no run in it. RunError where that
-/// fails. Another program that runs in the folder would lose its files: take a FolderLock first.
+/// only files that these are made of, nothing else, and nothing at all where there is no run in it. InputError, with
+/// nothing removed, where a folder stands under the name of a file of a run; RunError where removing fails. Another
+/// program that runs in the folder would lose its files: take a FolderLock first.
 void clear_run_folder(const std::filesystem::path& folder);
 
 /// Removes the files of a run that has begun from the folder, and the folder if it is empty then. Take a FolderLock

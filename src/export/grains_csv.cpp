@@ -35,8 +35,8 @@ void GrainsCsv::finish() {
 }
 
 void GrainsCsv::remove(const fs::path& folder) {
-    fs::remove(place_in(folder));
-    fs::remove(part_of(place_in(folder)));
+    remove_file(place_in(folder));
+    remove_file(part_of(place_in(folder)));
 }
 
 }  // namespace polargrain

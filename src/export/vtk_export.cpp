@@ -47,14 +47,14 @@ void VtkExport::finish() {
 void VtkExport::remove(const fs::path& folder) {
     for (const char* series : k_series) {
         const fs::path collection = collection_of(folder, series);
-        fs::remove(collection);
-        fs::remove(collection.string() + ".part");
+        remove_file(collection);
+        remove_file(collection.string() + ".part");
     }
     for (const char* series : k_series) {
         std::size_t frames = 0;
         while (fs::exists(folder / file_of(series, frames))) ++frames;
         // The last first: whatever ends this in between, what is left is found again.
-        while (frames > 0) fs::remove(folder / file_of(series, --frames));
+        while (frames > 0) remove_file(folder / file_of(series, --frames));
         remove_if_empty(folder / series);
     }
 }

@@ -130,6 +130,10 @@ void make_folder(const std::filesystem::path& folder) {
                                folder.string(), failed.message()));
 }
 
+void remove_file(const std::filesystem::path& path) {
+    if (!std::filesystem::is_directory(std::filesystem::symlink_status(path))) std::filesystem::remove(path);
+}
+
 // Refuses by itself where something is in it; a link to a folder is left alone too.
 void remove_if_empty(const std::filesystem::path& folder) { rmdir(folder.c_str()); }
 

@@ -63,6 +63,9 @@ void check_place(const std::filesystem::path& folder);
 /// be written into it.
 void make_folder(const std::filesystem::path& folder);
 
+/// Removes the file, or the link; a folder of that name stays. Throws std::filesystem::filesystem_error.
+void remove_file(const std::filesystem::path& path);
+
 /// Removes the folder if there is nothing in it.
 void remove_if_empty(const std::filesystem::path& folder);
 

@@ -189,6 +189,31 @@ TEST_F(Run, ForceLeavesFilesAloneWhoseNamesAreOnlyLikeThoseOfItsOwn) {
     for (const char* name : mine) EXPECT_EQ(read_file(scratch_ / name), "mine") << name;
 }
 
+TEST_F(Run, ForceLeavesFoldersAloneThatHaveTheNameOfAFile) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
+    const char* const mine[] = {"sheet.png", "movie-speed.mp4", "plot.png", "export/grains.csv", "export/grains.pvd"};
+    for (const char* name : mine) {
+        fs::create_directories(scratch_ / "here" / name);
+        scratch_.write(std::string("here/") + name + "/mine.txt", "mine");
+    }
+    const Outcome replaced = run({"three.toml", "-o", "here", "--force"});
+    EXPECT_EQ(replaced.exit_code, 0) << replaced.err;
+    for (const char* name : mine) EXPECT_EQ(read_file(scratch_ / "here" / name / "mine.txt"), "mine") << name;
+}
+
+TEST_F(Run, ForceKeepsTheOldRunWhereAFolderStandsInPlaceOfAFileOfTheNewOne) {
+    scratch_.write("three.toml", k_three_disks);
+    ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
+    fs::create_directories(scratch_ / "here" / "impacts.csv" / "mine");
+    const Outcome refused = run({"three.toml", "-o", "here", "--force"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("here/impacts.csv: is a folder"));
+    for (const char* kept : {"scenario.toml", "trajectory.h5", "summary.json", "checkpoint.h5", "impacts.csv/mine"}) {
+        EXPECT_TRUE(fs::exists(scratch_ / "here" / kept)) << kept;
+    }
+}
+
 TEST_F(Run, ForceLeavesAPictureAloneThatIsNoWholePlot) {
     scratch_.write("three.toml", k_three_disks);
     ASSERT_EQ(run({"three.toml", "-o", "here"}).exit_code, 0);
