@@ -12,6 +12,7 @@
 #include "render/painting.h"
 #include "src/core/child_process.h"
 #include "src/core/error.h"
+#include "src/record/private_folder.h"
 #include "src/record/text_file.h"
 
 namespace polargrain {
@@ -59,12 +60,6 @@ private:
     std::array<int, 2> ends_{-1, -1};
 };
 
-fs::path beside(const fs::path& path, const char* extension) {
-    fs::path other = path;
-    other += extension;
-    return other;
-}
-
 std::vector<std::string> encoder_words(const FrameStyle& style, double frames_per_second, const fs::path& part) {
     return {k_encoder, "-hide_banner", "-loglevel", "error", "-xerror", "-y",
             // what comes in
@@ -80,19 +75,13 @@ std::vector<std::string> encoder_words(const FrameStyle& style, double frames_pe
 class Movie::Encoder {
 public:
     Encoder(const fs::path& path, const FrameStyle& style, double frames_per_second)
-        : part_(beside(path, ".part")),
-          log_(beside(path, ".log")),
+        : path_(path),
+          folder_(path),
+          part_(folder_ / "movie.mp4"),
+          log_(folder_ / "log"),
           child_(encoder_words(style, frames_per_second, part_), log_, stream_.reading_end()) {
         stream_.close_reading_end();
     }
-    ~Encoder() {
-        std::error_code ignored;
-        fs::remove(part_, ignored);
-        fs::remove(log_, ignored);
-    }
-    Encoder(const Encoder&) = delete;
-    Encoder& operator=(const Encoder&) = delete;
-
     void write(std::span<const unsigned char> pixels) {
         if (!stream_.write(pixels)) fail();
     }
@@ -110,9 +99,11 @@ private:
         child_.wait();
         std::ifstream log(log_);
         const std::string said{std::istreambuf_iterator<char>(log), std::istreambuf_iterator<char>()};
-        throw RunError(fmt::format("{}: ffmpeg could not write the movie: {}", part_.string(), said));
+        throw RunError(fmt::format("{}: ffmpeg could not write the movie: {}", path_.string(), said));
     }
 
+    fs::path path_;
+    PrivateFolder folder_;  ///< outlives the program that writes into it
     fs::path part_, log_;
     Stream stream_;
     ChildProcess child_;
@@ -120,12 +111,16 @@ private:
 
 bool can_make_movies() { return program_on_path(k_encoder); }
 
-Movie::Movie(fs::path path, FrameStyle style, double frames_per_second)
-    : path_(std::move(path)), style_(std::move(style)) {
+void require_movies(const fs::path& path) {
     require(can_make_movies(),
             "{}: a movie needs the program ffmpeg, which is not installed (Debian: apt-get install ffmpeg); or draw "
             "frames with --format png",
-            path_.string());
+            path.string());
+}
+
+Movie::Movie(fs::path path, FrameStyle style, double frames_per_second)
+    : path_(std::move(path)), style_(std::move(style)) {
+    require_movies(path_);
     encoder_ = std::make_unique<Encoder>(path_, style_, frames_per_second);
 }
 

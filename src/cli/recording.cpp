@@ -48,15 +48,18 @@ std::vector<int> chosen_frames(const FrameChoice& choice, const TrajectoryReader
     return thinned;
 }
 
-void for_each_frame(const TrajectoryReader& recording, const std::vector<int>& frames, const std::string& label,
-                    bool quiet, const std::function<void(const StoredFrame&)>& job) {
+bool for_each_frame(const TrajectoryReader& recording, const std::vector<int>& frames, const std::string& label,
+                    bool quiet, const std::function<void(const StoredFrame&)>& job, const std::atomic<bool>* stop) {
     ProgressDisplay display(label, display_mode(quiet), "frames");
-    const LoopControl control{.progress = [&display](const Progress& progress) { display.show(progress); }};
+    const LoopControl control{.stop = stop,
+                              .progress = [&display](const Progress& progress) { display.show(progress); }};
     ProgressMeter meter(control, 0, static_cast<std::int64_t>(frames.size()), 1.0);
     for (std::size_t k = 0; k < frames.size(); ++k) {
+        if (control.stop_requested()) return false;
         job(recording.frame(frames[k]));
         meter.after_step(static_cast<std::int64_t>(k + 1));
     }
+    return true;
 }
 
 }  // namespace polargrain

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -21,8 +22,10 @@ TrajectoryReader open_recording(const std::filesystem::path& folder);
 std::vector<int> chosen_frames(const FrameChoice& choice, const TrajectoryReader& recording,
                                const std::filesystem::path& folder);
 
-/// Hands one frame after the other to the job. Unless quiet, shows how far it has come; label: what the job does.
-void for_each_frame(const TrajectoryReader& recording, const std::vector<int>& frames, const std::string& label,
-                    bool quiet, const std::function<void(const StoredFrame&)>& job);
+/// Hands one frame after the other to the job, until `stop` is set: false then. Unless quiet, shows how far it has
+/// come; label: what the job does.
+bool for_each_frame(const TrajectoryReader& recording, const std::vector<int>& frames, const std::string& label,
+                    bool quiet, const std::function<void(const StoredFrame&)>& job,
+                    const std::atomic<bool>* stop = nullptr);
 
 }  // namespace polargrain

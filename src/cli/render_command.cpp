@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
 #include <memory>
 #include <tuple>
@@ -11,9 +12,12 @@
 #include "render/movie.h"
 #include "scenarios/reader.h"
 #include "src/cli/commands.h"
+#include "src/cli/interrupt.h"
 #include "src/cli/made_of_run.h"
+#include "src/cli/messages.h"
 #include "src/cli/recording.h"
 #include "src/core/error.h"
+#include "src/record/claimed_file.h"
 #include "src/record/folder_lock.h"
 #include "src/record/text_file.h"
 
@@ -102,11 +106,13 @@ public:
 
 class MovieOutput final : public Output {
 public:
-    MovieOutput(const fs::path& path, const FrameStyle& style, double rate) : movie_(path, style, rate) {}
+    MovieOutput(const fs::path& path, bool replace, const FrameStyle& style, double rate)
+        : claim_((require_movies(path), path), replace), movie_(path, style, rate) {}
     void add(const Picture& picture, std::int64_t /*step*/) override { movie_.add(picture); }
     void finish() override { movie_.finish(); }
 
 private:
+    ClaimedFile claim_;  ///< two that draw one movie would each throw away the other's
     Movie movie_;
 };
 
@@ -139,13 +145,13 @@ private:
 std::unique_ptr<Output> open_output(const RenderRequest& request, const fs::path& place, const std::string& format,
                                     const FrameStyle& style) {
     check_ending(place, format);
+    if (format == k_movie) {
+        require(!fs::is_directory(place), "{}: is a folder; give the name of a movie with -o", place.string());
+        return std::make_unique<MovieOutput>(place, request.force, style, request.frames_per_second);
+    }
     const bool filled = fs::is_directory(place) ? !fs::is_empty(place) : fs::exists(place);
     require(request.force || !filled, "{}: is there already; give another name with -o, or --force to replace it",
             place.string());
-    if (format == k_movie) {
-        require(!fs::is_directory(place), "{}: is a folder; give the name of a movie with -o", place.string());
-        return std::make_unique<MovieOutput>(place, style, request.frames_per_second);
-    }
     require(!fs::exists(place) || fs::is_directory(place), "{}: is a file; give a folder for the frames with -o",
             place.string());
     return std::make_unique<FolderOutput>(place, format, style);
@@ -161,11 +167,23 @@ int render_command(const RenderRequest& request) {
     const std::vector<int> frames = chosen_frames(request.frames, recording, request.folder);
     const std::string format = format_of(request);
     const fs::path place = place_of(request, format, drawing.settings.colour);
+    const std::atomic<bool>& stop = watch_interrupts();
     const std::unique_ptr<Output> output = open_output(request, place, format, style);
-    for_each_frame(recording, frames, "drawing", request.quiet, [&](const StoredFrame& frame) {
+    const auto draw = [&](const StoredFrame& frame) {
         output->add(picture_of(recording.scene(), frame), frame.world.step);
-    });
-    output->finish();
+    };
+    bool done = false;
+    try {
+        done = for_each_frame(recording, frames, "drawing", request.quiet, draw, &stop);
+        if (done) output->finish();
+    } catch (const RunError&) {
+        if (!stop) throw;
+        done = false;  // Ctrl-C has ended ffmpeg too
+    }
+    if (!done) {
+        tell("interrupted; {}: {}\n", place.string(), format == k_movie ? "not written" : "has the first frames alone");
+        return k_exit_interrupted;
+    }
     if (!request.quiet) fmt::print("{} frames: {}\n", frames.size(), place.string());
     return k_exit_done;
 }

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "src/record/claimed_file.h"
 #include "src/record/folder_lock.h"
 #include "tests/cli/recorded_run.h"
 
@@ -21,6 +22,8 @@ std::string drawn_and_shaken() {
                     "points = [[-0.1, 0.0], [0.2, 0.0]]\n"
                     "motion = { type = \"sine\", direction = [0, 1], amplitude = 5e-3, frequency = 20.0 }\n");
 }
+
+const bool k_ffmpeg = std::system("ffmpeg -version > /dev/null 2>&1") == 0;
 
 class Render : public RecordedRun {
 protected:
@@ -79,7 +82,7 @@ TEST_F(Render, WritesVectors) {
 }
 
 TEST_F(Render, WritesMoviesWhereFfmpegIsInstalled) {
-    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+    if (!k_ffmpeg) GTEST_SKIP() << "ffmpeg is not installed";
     for (const char* name : {"one.mp4", "two.mp4"}) {
         const Outcome movie = polargrain({"render", "run", "-o", name, "--size", "320x200"});
         ASSERT_EQ(movie.exit_code, 0) << movie.err;
@@ -87,12 +90,46 @@ TEST_F(Render, WritesMoviesWhereFfmpegIsInstalled) {
     const std::string movie = read_file(scratch_ / "one.mp4");
     EXPECT_THAT(movie.substr(0, 12), HasSubstr("ftyp"));
     EXPECT_TRUE(movie == read_file(scratch_ / "two.mp4")) << "equal frames, equal bytes";
-    EXPECT_FALSE(fs::exists(scratch_ / "one.mp4.part"));
-    EXPECT_FALSE(fs::exists(scratch_ / "one.mp4.log"));
+    EXPECT_EQ(files_in("."), 4) << "the scenario, the run, two movies, and nothing else";
     const Outcome full = RunningProgram({"render", "run", "-o", "three.mp4"}, scratch_.path(), 2000).wait();
     EXPECT_EQ(full.exit_code, 1) << "half a movie";
     EXPECT_THAT(full.err, HasSubstr("three.mp4"));
     EXPECT_FALSE(fs::exists(scratch_ / "three.mp4"));
+}
+
+TEST_F(Render, OfAMovieLeavesFilesAloneWhoseNamesAreOnlyLikeItsOwn) {
+    if (!k_ffmpeg) GTEST_SKIP() << "ffmpeg is not installed";
+    for (const char* name : {"one.mp4.part", "one.mp4.log"}) scratch_.write(name, "mine");
+    ASSERT_EQ(polargrain({"render", "run", "-o", "one.mp4", "--size", "320x200"}).exit_code, 0);
+    for (const char* name : {"one.mp4.part", "one.mp4.log"}) EXPECT_EQ(read_file(scratch_ / name), "mine") << name;
+    const std::string movie = read_file(scratch_ / "one.mp4");
+    EXPECT_EQ(polargrain({"render", "run", "-o", "one.mp4"}).exit_code, 2) << "nothing is overwritten";
+    EXPECT_TRUE(read_file(scratch_ / "one.mp4") == movie);
+    EXPECT_EQ(polargrain({"render", "run", "-o", "one.mp4", "--force"}).exit_code, 0);
+    EXPECT_FALSE(read_file(scratch_ / "one.mp4") == movie);
+}
+
+TEST_F(Render, LeavesAMovieAloneThatAnotherDraws) {
+    if (!k_ffmpeg) GTEST_SKIP() << "ffmpeg is not installed";
+    {
+        const ClaimedFile claim(scratch_ / "one.mp4", false);
+        const Outcome refused = polargrain({"render", "run", "-o", "one.mp4", "--force"});
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_THAT(refused.err, HasSubstr("one.mp4: another polargrain is writing this file"));
+        EXPECT_EQ(files_in("."), 3);
+    }
+    EXPECT_FALSE(fs::exists(scratch_ / "one.mp4")) << "nothing came of it";
+}
+
+TEST_F(Render, OfAMovieThatIsInterruptedLeavesNothing) {
+    if (!k_ffmpeg) GTEST_SKIP() << "ffmpeg is not installed";
+    RunningProgram program({"render", "run", "-o", "one.mp4", "--size", "8000x4000"}, scratch_.path());
+    ASSERT_TRUE(wait_for(scratch_ / "one.mp4"));
+    program.send_to_all(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+    EXPECT_EQ(files_in("."), 2) << "the scenario and the run";
 }
 
 TEST_F(Render, SaysWhatAMovieNeeds) {
