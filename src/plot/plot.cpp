@@ -7,6 +7,7 @@
 #include "src/core/child_process.h"
 #include "src/core/error.h"
 #include "src/plot/gnuplot_script.h"
+#include "src/record/private_folder.h"
 #include "src/record/text_file.h"
 
 namespace polargrain {
@@ -87,19 +88,18 @@ void write_plot(const Plot& plot, const fs::path& stem) {
     check(plot);
     require_plotting();
     write_csv(plot, with_extension(stem, ".csv"));
-    const fs::path script = with_extension(stem, ".gnuplot");
-    const fs::path log = with_extension(stem, ".gnuplot.log");
+    PrivateFolder folder(stem);
+    const fs::path script = folder / "script.gnuplot";
+    const fs::path log = folder / "log";
     TextFile file(script);
     file.write(gnuplot_script(plot, with_extension(stem, ".png"), with_extension(stem, ".pdf")));
     file.close();
     const int exit_code = ChildProcess({k_program, script.string()}, log).wait();
-    const std::string said = contents(log);
-    fs::remove(log);
     if (exit_code != 0) {
+        folder.keep();
         throw RunError(fmt::format("{}: gnuplot failed (exit code {}); the script is kept. It said: {}",
-                                   script.string(), exit_code, said));
+                                   script.string(), exit_code, contents(log)));
     }
-    fs::remove(script);
 }
 
 }  // namespace polargrain

@@ -34,6 +34,13 @@ TEST_F(PlotCommand, DrawsWhatIsAskedForUnderAnyName) {
     EXPECT_THAT(read_file(scratch_ / "energy.csv"), Not(HasSubstr("impacts")));
 }
 
+TEST_F(PlotCommand, LeavesFilesAloneWhoseNamesAreOnlyLikeItsOwn) {
+    for (const char* name : {"energy.gnuplot", "energy.gnuplot.log"}) scratch_.write(name, "mine");
+    ASSERT_EQ(polargrain({"plot", "run", "-o", "energy"}).exit_code, 0);
+    for (const char* name : {"energy.gnuplot", "energy.gnuplot.log"}) EXPECT_EQ(read_file(scratch_ / name), "mine");
+    EXPECT_EQ(files_in("."), 7) << "these, the scenario, the run, and the plot";
+}
+
 TEST_F(PlotCommand, NeverReplacesTheSeriesItself) {
     const std::string series = read_file(scratch_ / "run/series.csv");
     EXPECT_EQ(polargrain({"plot", "run", "-o", "run/series", "--force"}).exit_code, 2);
