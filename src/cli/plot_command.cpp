@@ -3,6 +3,7 @@
 #include "src/cli/commands.h"
 #include "src/cli/made_of_run.h"
 #include "src/cli/recording.h"
+#include "src/cli/run_folder.h"
 #include "src/core/error.h"
 #include "src/plot/series_plot.h"
 
@@ -18,9 +19,9 @@ int plot_command(const PlotRequest& request) {
     const fs::path stem = request.stem.value_or(plot_in(request.folder));
     for (const char* ending : k_plot_endings) {
         const fs::path file = stem.string() + ending;
-        require(!fs::exists(file) || (request.force && !fs::equivalent(file, csv)),
-                "{}: is there already; give another name with -o{}", file.string(),
-                request.force ? "" : ", or --force");
+        check_run_stays(request.folder, file);
+        require(request.force || !fs::exists(file), "{}: is there already; give another name with -o, or --force",
+                file.string());
     }
     require_plotting();
     const SeriesPlot drawn =

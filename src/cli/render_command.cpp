@@ -16,6 +16,7 @@
 #include "src/cli/made_of_run.h"
 #include "src/cli/messages.h"
 #include "src/cli/recording.h"
+#include "src/cli/run_folder.h"
 #include "src/core/error.h"
 #include "src/record/claimed_file.h"
 #include "src/record/folder_lock.h"
@@ -146,6 +147,7 @@ std::unique_ptr<Output> open_output(const RenderRequest& request, const fs::path
                                     const FrameStyle& style) {
     check_ending(place, format);
     if (format == k_movie) {
+        check_run_stays(request.folder, place);
         require(!fs::is_directory(place), "{}: is a folder; give the name of a movie with -o", place.string());
         return std::make_unique<MovieOutput>(place, request.force, style, request.frames_per_second);
     }

@@ -83,6 +83,14 @@ void check_scenario_stays(const fs::path& folder, const fs::path& scenario, cons
     }
 }
 
+void check_run_stays(const fs::path& folder, const fs::path& file) {
+    for (const char* name : k_run_files) {
+        std::error_code absent;
+        require(!fs::equivalent(folder / name, file, absent),
+                "{}: is a file of the run itself, which is never replaced; give another name with -o", file.string());
+    }
+}
+
 FolderLock claim_folder(const fs::path& folder, const std::function<void()>& check) {
     check();
     make_folder(folder);

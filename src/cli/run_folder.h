@@ -21,6 +21,9 @@ void check_run_folder(const std::filesystem::path& folder, bool force);
 void check_scenario_stays(const std::filesystem::path& folder, const std::filesystem::path& scenario,
                           const std::string& resolved);
 
+/// InputError where the file, which is to be replaced, is one that the run in the folder is made of.
+void check_run_stays(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /// Makes the folder and its parents and keeps it for this program; what is in it stays. InputError where `check`, which
 /// is to look whether it can be taken, throws it, or another program holds it; RunError where it cannot be made or
 /// written.

@@ -4,6 +4,7 @@
 #include "src/cli/commands.h"
 #include "src/cli/made_of_run.h"
 #include "src/cli/recording.h"
+#include "src/cli/run_folder.h"
 #include "src/core/error.h"
 
 namespace polargrain {
@@ -13,6 +14,7 @@ namespace fs = std::filesystem;
 int sheet_command(const SheetRequest& request) {
     require_run_folder(request.folder);
     const fs::path sheet = request.sheet.value_or(sheet_in(request.folder));
+    check_run_stays(request.folder, sheet);
     require(request.force || !fs::exists(sheet), "{}: is there already; give another name with -o, or --force",
             sheet.string());
     ContactSheetSettings settings;

@@ -46,6 +46,9 @@ TEST_F(PlotCommand, NeverReplacesTheSeriesItself) {
     EXPECT_EQ(polargrain({"plot", "run", "-o", "run/series", "--force"}).exit_code, 2);
     EXPECT_EQ(polargrain({"plot", "run", "-o", "run/../run/series", "--force"}).exit_code, 2);
     EXPECT_EQ(read_file(scratch_ / "run/series.csv"), series);
+    scratch_.write("run/impacts.csv", "of the run");
+    EXPECT_EQ(polargrain({"plot", "run", "-o", "run/impacts", "--force"}).exit_code, 2);
+    EXPECT_EQ(read_file(scratch_ / "run/impacts.csv"), "of the run");
 }
 
 TEST_F(PlotCommand, SaysWhatToDoWithoutASeries) {

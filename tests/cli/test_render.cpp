@@ -189,6 +189,23 @@ TEST_F(Render, RefusesNumbersThatAreNone) {
     }
 }
 
+TEST_F(Render, NeverReplacesAFileOfTheRun) {
+    fs::create_symlink("run/trajectory.h5", scratch_ / "link.h5");
+    const std::string recording = read_file(scratch_ / "run" / "trajectory.h5");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"render", "run", "--format", "mp4", "-o", "run/trajectory.h5"},
+          {"render", "run", "--format", "mp4", "-o", "link.h5"},
+          {"render", "run", "--format", "mp4", "-o", "run/../run/series.csv"},
+          {"sheet", "run", "-o", "run/trajectory.h5"}}) {
+        std::vector<std::string> forced = words;
+        forced.emplace_back("--force");
+        const Outcome refused = polargrain(forced);
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_THAT(refused.err, HasSubstr(words.back() + ": is a file of the run itself"));
+        EXPECT_TRUE(read_file(scratch_ / "run" / "trajectory.h5") == recording);
+    }
+}
+
 TEST_F(Render, RefusesNamesThatPromiseAnotherFormat) {
     using Words = std::vector<std::string>;
     for (const Words& output : {Words{"-o", "x.avi"},
