@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -30,6 +31,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds k_between_looks{20};
+constexpr const char* k_table = "table.csv";
+constexpr const char* k_log_ending = ".log";
+
+/// Of the run in the folder: beside it.
+fs::path log_of(const fs::path& folder) { return folder.string() + k_log_ending; }
 
 /// One run of the sweep and its folder.
 struct Job {
@@ -41,7 +47,7 @@ struct Job {
     bool done = false;
     bool failed = false;
 
-    fs::path log() const { return {folder.string() + ".log"}; }
+    fs::path log() const { return log_of(folder); }
     bool begun() const { return content_of(folder / "scenario.toml") == scenario; }
     /// Whether its folder holds a run of another scenario.
     bool of_another() const { return fs::exists(folder / "scenario.toml") && !begun(); }
@@ -80,13 +86,15 @@ PreparedRun prepare_job(const SweepPlan& plan, const SweepRun& run) {
     }
 }
 
+std::string name_of(std::size_t number) { return fmt::format("{:04}", number); }
+
 std::vector<Job> jobs_of(const SweepPlan& plan, const fs::path& folder) {
     std::vector<Job> jobs;
     for (SweepRun& run : sweep_runs(plan)) {
         Job job;
         // Read here for all of them, so that a mistake in the last one shows before the first one runs.
         job.scenario = prepare_job(plan, run).scenario.resolved_toml;
-        job.name = fmt::format("{:04}", jobs.size());
+        job.name = name_of(jobs.size());
         job.folder = folder / "runs" / job.name;
         job.run = std::move(run);
         jobs.push_back(std::move(job));
@@ -223,7 +231,7 @@ void check_folder(const SweepRequest& request, const fs::path& folder, const Swe
                   const std::vector<Job>& jobs) {
     check_place(folder);
     if (!fs::exists(folder)) return;
-    const fs::path copy = folder / "sweep.toml", table = folder / "table.csv";
+    const fs::path copy = folder / "sweep.toml", table = folder / k_table;
     const bool the_same = fs::exists(copy) && content_of(copy) == plan.text;
     if (!fs::exists(folder / "runs")) {
         for (const fs::path& file : {copy, table}) {
@@ -245,15 +253,43 @@ void check_folder(const SweepRequest& request, const fs::path& folder, const Swe
     }
 }
 
+/// Removes a run, and what it had to say; what else is in its folder stays.
+void remove_run(const fs::path& folder) {
+    if (fs::is_directory(folder)) {
+        const FolderLock lock(folder);
+        clear_run_folder(folder);
+        remove_if_empty(folder);
+    }
+    remove_file(log_of(folder));
+}
+
+/// Folders of runs that a sweep of `count` runs does not have.
+std::set<fs::path> surplus_runs(const fs::path& runs, std::size_t count) {
+    std::set<fs::path> surplus;
+    if (!fs::is_directory(runs)) return surplus;
+    for (const fs::directory_entry& entry : fs::directory_iterator(runs)) {
+        const fs::path& path = entry.path();
+        const std::string name = (path.extension() == k_log_ending ? path.stem() : path.filename()).string();
+        std::size_t number = 0;
+        std::from_chars(name.data(), name.data() + name.size(), number);
+        if (number >= count && name == name_of(number)) surplus.insert(runs / name);
+    }
+    return surplus;
+}
+
 /// Takes the folder, which is locked, for this sweep, or takes up the sweep that is in it.
 void open_folder(const fs::path& folder, const SweepPlan& plan, const std::vector<Job>& jobs) {
+    const fs::path copy = folder / "sweep.toml";
+    const bool another = fs::exists(copy) && content_of(copy) != plan.text;
+    // First: a table must not outlive what stands in it.
+    if (another || std::ranges::any_of(jobs, &Job::of_another)) remove_file(folder / k_table);
+    if (another) {
+        for (const fs::path& run : surplus_runs(folder / "runs", jobs.size())) remove_run(run);
+    }
     // Now, and not when their turn comes: the sweep can be carried on without --force then.
     for (const Job& job : jobs) {
-        if (!job.of_another()) continue;
-        const FolderLock lock(job.folder);
-        clear_run_folder(job.folder);
+        if (job.of_another()) remove_run(job.folder);
     }
-    const fs::path copy = folder / "sweep.toml";
     if (!fs::exists(copy) || content_of(copy) != plan.text) write_whole_file(copy, plan.text);
     make_folder(folder / "runs");
 }
@@ -299,7 +335,7 @@ int sweep_command(const SweepRequest& request) {
              shell_quoted(folder.string()));
         return k_exit_interrupted;
     }
-    const fs::path table = folder / "table.csv";
+    const fs::path table = folder / k_table;
     write_whole_file(table, table_of(jobs, plan));
     return report(jobs, table, request.quiet);
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -147,6 +148,35 @@ TEST_F(Sweep, ThatReplacesAnotherGoesOnWithoutForceAfterCtrlC) {
     }
     again.send_to_all(SIGINT);
     EXPECT_EQ(again.wait().exit_code, 130) << "is not refused";
+}
+
+TEST_F(Sweep, ThatReplacesALargerOneLeavesNothingOfIt) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    scratch_.write("swept/runs/0005/mine.txt", "mine");
+    scratch_.write("swept/runs/0009.log", "what a run that failed had to say");
+    fs::create_directories(scratch_ / "swept" / "runs" / "007");
+    scratch_.write("smaller.toml", replaced(k_sweep, "seeds = [3, 4]", "seeds = [3]"));
+    ASSERT_EQ(polargrain({"sweep", "smaller.toml", "-o", "swept", "--force"}).exit_code, 0);
+    EXPECT_EQ(lines_of(read_file(scratch_ / "swept" / "table.csv")).size(), 5U);
+    std::set<std::string> left;
+    for (const auto& entry : fs::directory_iterator(scratch_ / "swept" / "runs")) left.insert(entry.path().filename());
+    EXPECT_THAT(left, testing::ElementsAre("0000", "0001", "0002", "0003", "0005", "007"));
+    EXPECT_FALSE(fs::exists(scratch_ / "swept" / "runs" / "0005" / "scenario.toml"));
+    EXPECT_EQ(read_file(scratch_ / "swept" / "runs" / "0005" / "mine.txt"), "mine");
+}
+
+TEST_F(Sweep, ThatReplacesAnotherAndIsStoppedLeavesNoTable) {
+    ASSERT_EQ(polargrain({"sweep", "sweep.toml", "-o", "swept"}).exit_code, 0);
+    scratch_.write("slow.toml", replaced(k_sweep, "run.duration = 0.02", "run.duration = 1e5"));
+    RunningProgram program({"sweep", "slow.toml", "-o", "swept", "--force"}, scratch_.path());
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!testing::Value(read_file(scratch_ / "swept" / "sweep.toml"), HasSubstr("1e5")) &&
+           std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    program.send_to_all(SIGKILL);
+    program.wait();
+    EXPECT_FALSE(fs::exists(scratch_ / "swept" / "table.csv"));
 }
 
 TEST_F(Sweep, LeavesCompleteRunsAlone) {
