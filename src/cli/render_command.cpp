@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <charconv>
 #include <memory>
 #include <tuple>
@@ -74,9 +75,16 @@ Drawing drawing_of(const RenderRequest& request, const TrajectoryReader& recordi
     return drawing;
 }
 
+/// Of a file, without regard to case: ".mp4" of B.MP4 too.
+std::string ending_of(const fs::path& place) {
+    std::string ending = place.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending;
+}
+
 std::string format_of(const RenderRequest& request) {
     if (!request.format.empty()) return request.format;
-    return request.out && request.out->extension() == std::string(".") + k_movie ? k_movie : "png";
+    return request.out && ending_of(*request.out) == std::string(".") + k_movie ? k_movie : "png";
 }
 
 fs::path place_of(const RenderRequest& request, const std::string& format, const std::string& colour) {
@@ -87,9 +95,9 @@ fs::path place_of(const RenderRequest& request, const std::string& format, const
 
 /// A name that promises another format than the one that is drawn.
 void check_ending(const fs::path& place, const std::string& format) {
-    constexpr std::array media{".avi",  ".gif", ".jpeg", ".jpg", ".m4v", ".mkv", ".mov", ".mp4",
-                               ".mpeg", ".mpg", ".ogv",  ".pdf", ".png", ".svg", ".webm"};
-    const std::string ending = place.extension().string();
+    constexpr std::array media{".avi", ".bmp", ".gif", ".jpeg", ".jpg", ".m4v", ".mkv",  ".mov",  ".mp4", ".mpeg",
+                               ".mpg", ".ogv", ".pdf", ".png",  ".svg", ".tif", ".tiff", ".webm", ".webp"};
+    const std::string ending = ending_of(place);
     const bool promises = std::ranges::find(media, ending) != media.end();
     require(!promises || (format == k_movie && ending == std::string(".") + k_movie),
             "{}: would be {} {}; give a movie a name that ends in .mp4, and frames a folder, with the --format of its "

@@ -210,6 +210,11 @@ TEST_F(Render, RefusesNamesThatPromiseAnotherFormat) {
     using Words = std::vector<std::string>;
     for (const Words& output : {Words{"-o", "x.avi"},
                                 {"-o", "x.png"},
+                                {"-o", "Y.AVI"},
+                                {"-o", "y.webp"},
+                                {"-o", "y.tif"},
+                                {"-o", "y.tiff"},
+                                {"-o", "y.Bmp"},
                                 {"-o", "x.mp4", "--format", "svg"},
                                 {"-o", "x.gif", "--format", "mp4"}}) {
         Words words{"render", "run"};
@@ -220,6 +225,9 @@ TEST_F(Render, RefusesNamesThatPromiseAnotherFormat) {
         EXPECT_FALSE(fs::exists(scratch_ / output[1]));
     }
     EXPECT_EQ(polargrain({"render", "run", "-o", "with.dot"}).exit_code, 0);
+    if (!k_ffmpeg) GTEST_SKIP() << "ffmpeg is not installed";
+    EXPECT_EQ(polargrain({"render", "run", "-o", "B.MP4", "--size", "320x200"}).exit_code, 0);
+    EXPECT_TRUE(fs::is_regular_file(scratch_ / "B.MP4"));
 }
 
 TEST_F(Render, RefusesToOverwriteAndWrongSizes) {
