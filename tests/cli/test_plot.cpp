@@ -41,6 +41,18 @@ TEST_F(PlotCommand, LeavesFilesAloneWhoseNamesAreOnlyLikeItsOwn) {
     EXPECT_EQ(files_in("."), 7) << "these, the scenario, the run, and the plot";
 }
 
+TEST_F(PlotCommand, RefusesAFolderInPlaceOfAName) {
+    fs::create_directories(scratch_ / "d");
+    for (const char* folder : {"d/", ".", "d/..", "new/"}) {
+        const Outcome refused = polargrain({"plot", "run", "-o", folder});
+        EXPECT_EQ(refused.exit_code, 2) << folder;
+        EXPECT_THAT(refused.err, HasSubstr("is a folder; give the files a name in it"));
+    }
+    EXPECT_THAT(polargrain({"plot", "run", "-o", "d/"}).err, HasSubstr("-o d/plot"));
+    EXPECT_TRUE(fs::is_empty(scratch_ / "d"));
+    EXPECT_EQ(files_in("."), 3);
+}
+
 TEST_F(PlotCommand, NeverReplacesTheSeriesItself) {
     const std::string series = read_file(scratch_ / "run/series.csv");
     EXPECT_EQ(polargrain({"plot", "run", "-o", "run/series", "--force"}).exit_code, 2);
