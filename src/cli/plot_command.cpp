@@ -6,6 +6,7 @@
 #include "src/cli/run_folder.h"
 #include "src/core/error.h"
 #include "src/plot/series_plot.h"
+#include "src/record/text_file.h"
 
 namespace polargrain {
 
@@ -39,6 +40,7 @@ int plot_command(const PlotRequest& request) {
     require_plotting();
     const SeriesPlot drawn =
         series_plot(csv, request.choice, fs::absolute(request.folder).lexically_normal().filename());
+    make_folder_of(stem);
     write_plot(drawn.plot, stem);
     fmt::print("{}.png, .pdf, .csv\n", stem.string());
     if (!drawn.left_out.empty()) fmt::print("zero throughout: {}\n", fmt::join(drawn.left_out, ", "));

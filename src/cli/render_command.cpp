@@ -116,7 +116,7 @@ public:
 class MovieOutput final : public Output {
 public:
     MovieOutput(const fs::path& path, bool replace, const FrameStyle& style, double rate)
-        : claim_((require_movies(path), path), replace), movie_(path, style, rate) {}
+        : claim_((require_movies(path), make_folder_of(path), path), replace), movie_(path, style, rate) {}
     void add(const Picture& picture, std::int64_t /*step*/) override { movie_.add(picture); }
     void finish() override { movie_.finish(); }
 

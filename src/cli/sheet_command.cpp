@@ -6,6 +6,7 @@
 #include "src/cli/recording.h"
 #include "src/cli/run_folder.h"
 #include "src/core/error.h"
+#include "src/record/text_file.h"
 
 namespace polargrain {
 
@@ -21,9 +22,11 @@ int sheet_command(const SheetRequest& request) {
     settings.count = request.count;
     const fs::path frames = request.folder / "frames";
     if (fs::exists(frames / "000000.png")) {
+        make_folder_of(sheet);
         contact_sheet(frames, sheet, settings);
     } else {
         const TrajectoryReader recording = open_recording(request.folder);
+        make_folder_of(sheet);
         contact_sheet(recording, make_frame_style({}, recording.scene(), recording.title()), sheet, settings);
     }
     fmt::print("{}\n", sheet.string());

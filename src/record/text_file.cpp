@@ -130,6 +130,13 @@ void make_folder(const std::filesystem::path& folder) {
                                folder.string(), failed.message()));
 }
 
+void make_folder_of(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.parent_path();
+    if (folder.empty()) return;
+    check_place(folder);
+    make_folder(folder);
+}
+
 void remove_file(const std::filesystem::path& path) {
     if (!std::filesystem::is_directory(std::filesystem::symlink_status(path))) std::filesystem::remove(path);
 }

@@ -63,6 +63,10 @@ void check_place(const std::filesystem::path& folder);
 /// be written into it.
 void make_folder(const std::filesystem::path& folder);
 
+/// Makes the folders above a file that is to be written, where they are absent. InputError and RunError as from
+/// check_place and make_folder.
+void make_folder_of(const std::filesystem::path& file);
+
 /// Removes the file, or the link; a folder of that name stays. Throws std::filesystem::filesystem_error.
 void remove_file(const std::filesystem::path& path);
 

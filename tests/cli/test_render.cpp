@@ -189,6 +189,23 @@ TEST_F(Render, RefusesNumbersThatAreNone) {
     }
 }
 
+TEST_F(Render, MakesTheFoldersAboveWhatIsDrawn) {
+    using Words = std::vector<std::string>;
+    std::vector<Words> all{{"plot", "run", "-o", "new/er/plot"}, {"sheet", "run", "-o", "new/est/sheet.png"}};
+    if (k_ffmpeg) all.push_back({"render", "run", "-o", "new/movie.mp4", "--size", "320x200"});
+    for (const Words& words : all) {
+        const Outcome outcome = polargrain(words);
+        EXPECT_EQ(outcome.exit_code, 0) << words[0] << ": " << outcome.err;
+    }
+    for (const char* file : {"new/er/plot.png", "new/est/sheet.png"}) EXPECT_TRUE(fs::exists(scratch_ / file)) << file;
+    for (Words words : all) {
+        words[3] = "three.toml/x.mp4";
+        const Outcome refused = polargrain(words);
+        EXPECT_EQ(refused.exit_code, 2) << words[0];
+        EXPECT_THAT(refused.err, HasSubstr("three.toml is a file; give another folder with -o"));
+    }
+}
+
 TEST_F(Render, NeverReplacesAFileOfTheRun) {
     fs::create_symlink("run/trajectory.h5", scratch_ / "link.h5");
     const std::string recording = read_file(scratch_ / "run" / "trajectory.h5");
