@@ -5,6 +5,7 @@
 #include "src/cli/progress_display.h"
 #include "src/core/error.h"
 #include "src/record/folder_lock.h"
+#include "src/record/sample_range.h"
 #include "src/run/progress.h"
 
 namespace polargrain {
@@ -32,20 +33,16 @@ TrajectoryReader open_recording(const fs::path& folder) {
 }
 
 std::vector<int> chosen_frames(const FrameChoice& choice, const TrajectoryReader& recording, const fs::path& folder) {
+    std::vector<double> times;
+    for (int f = 0; f < recording.frames(); ++f) times.push_back(recording.time(f));
+    const SampleRange range = samples_between(times, choice.from, choice.to, recording.time_step());
+    require(range.first < range.last, "--from {} --to {}: no frame of {} is in between; they go from {} s to {} s",
+            choice.from, choice.to, trajectory_of(folder).string(), times.front(), times.back());
     std::vector<int> chosen;
-    // A frame is stored at the first step at or after its time.
-    const double late = recording.time_step();
-    for (int f = 0; f < recording.frames(); ++f) {
-        const double time = recording.time(f);
-        if (time >= choice.from && time < choice.to + late) chosen.push_back(f);
+    for (std::size_t f = range.first; f < range.last; f += static_cast<std::size_t>(choice.every)) {
+        chosen.push_back(static_cast<int>(f));
     }
-    require(!chosen.empty(), "--from {} --to {}: no frame of {} is in between; they go from {} s to {} s", choice.from,
-            choice.to, trajectory_of(folder).string(), recording.time(0), recording.time(recording.frames() - 1));
-    std::vector<int> thinned;
-    for (std::size_t k = 0; k < chosen.size(); k += static_cast<std::size_t>(choice.every)) {
-        thinned.push_back(chosen[k]);
-    }
-    return thinned;
+    return chosen;
 }
 
 bool for_each_frame(const TrajectoryReader& recording, const std::vector<int>& frames, const std::string& label,

@@ -9,6 +9,7 @@
 #include "src/core/error.h"
 #include "src/core/nearest_name.h"
 #include "src/record/csv_columns.h"
+#include "src/record/sample_range.h"
 
 namespace polargrain {
 
@@ -78,26 +79,34 @@ bool is_nothing(const std::vector<double>& values) {
 /// The columns by name, cut to the time that is asked for.
 struct Recorded {
     CsvColumns csv;
-    std::size_t first = 0, last = 0;
+    SampleRange rows;
 
     std::vector<double> column(const std::string& name) const {
         const auto found = csv.values.find(name);
         if (found == csv.values.end()) return {};
         const auto begin = found->second.begin();
-        return {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)};
+        return {begin + static_cast<std::ptrdiff_t>(rows.first), begin + static_cast<std::ptrdiff_t>(rows.last)};
     }
 };
 
+/// [s]; zero where the rows do not tell.
+double time_step_of(const CsvColumns& csv) {
+    const auto step = csv.values.find("step");
+    if (step == csv.values.end() || step->second.empty()) return 0.0;
+    const std::vector<double>& time = csv.values.at("time");
+    const double steps = step->second.back() - step->second.front();
+    return steps > 0.0 ? (time.back() - time.front()) / steps : 0.0;
+}
+
 Recorded read(const std::filesystem::path& path, const SeriesChoice& choice) {
-    Recorded recorded{read_columns(path)};
+    Recorded recorded{read_columns(path), {}};
     const auto time = recorded.csv.values.find("time");
     require(time != recorded.csv.values.end(), "{}: has no column time; give the series.csv of a run", path.string());
     const std::vector<double>& t = time->second;
-    recorded.first = static_cast<std::size_t>(std::ranges::lower_bound(t, choice.from) - t.begin());
-    recorded.last = static_cast<std::size_t>(std::ranges::upper_bound(t, choice.to) - t.begin());
+    recorded.rows = samples_between(t, choice.from, choice.to, time_step_of(recorded.csv));
     require(!t.empty(), "{}: has no row yet", path.string());
-    require(recorded.first < recorded.last, "{}: has no row from {} to {} s; it has {} to {} s", path.string(),
-            choice.from, choice.to, t.front(), t.back());
+    require(recorded.rows.first < recorded.rows.last, "{}: has no row from {} to {} s; it has {} to {} s",
+            path.string(), choice.from, choice.to, t.front(), t.back());
     for (const std::string& name : choice.columns) {
         if (recorded.csv.values.contains(name)) continue;
         const std::string near = nearest_name(name, recorded.csv.names);

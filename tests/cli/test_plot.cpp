@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/cli/recorded_run.h"
 
 namespace polargrain {
@@ -61,6 +63,37 @@ TEST_F(PlotCommand, NeverReplacesTheSeriesItself) {
     scratch_.write("run/impacts.csv", "of the run");
     EXPECT_EQ(polargrain({"plot", "run", "-o", "run/impacts", "--force"}).exit_code, 2);
     EXPECT_EQ(read_file(scratch_ / "run/impacts.csv"), "of the run");
+}
+
+TEST_F(PlotCommand, TakesTimesThatAreOffByRoundingAsExportDoes) {
+    ASSERT_EQ(polargrain({"run", "three.toml", "-o", "round", "--no-frames", "--set", "run.time_step=1e-3", "--set",
+                          "output.series.every=1e-3", "--set", "output.trajectory.every=1e-3"})
+                  .exit_code,
+              0);
+    ASSERT_THAT(read_file(scratch_ / "round/series.csv"), HasSubstr("0.009000000000000001,"));
+    const struct {
+        const char *from, *to;
+        int taken;
+    } cases[] = {{"0", "0.009", 10}, {"0.009", "0.009", 1}, {"0.0005", "0.021", 21}, {"0.0091", "0.0109", 1}};
+    for (const auto& [from, to, taken] : cases) {
+        const Outcome plot = polargrain(
+            {"plot", "round", "-o", "part", "--columns", "potential", "--from", from, "--to", to, "--force"});
+        ASSERT_EQ(plot.exit_code, 0) << plot.err;
+        const std::string rows = read_file(scratch_ / "part.csv");
+        EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + taken) << from << " to " << to;
+        const Outcome exported = polargrain({"export", "round", "-o", "part", "--from", from, "--to", to, "--force"});
+        EXPECT_THAT(exported.out, HasSubstr(std::to_string(taken) + " frames")) << from << " to " << to;
+    }
+}
+
+TEST_F(PlotCommand, TakesRowsThatWereDueAtTheLastTime) {
+    // No step ends at 0.03 s: the sample is taken at the next.
+    ASSERT_EQ(polargrain({"run", "three.toml", "-o", "late", "--no-frames", "--set", "run.time_step=7e-4"}).exit_code,
+              0);
+    for (const char* command : {"plot", "export"}) {
+        const Outcome outcome = polargrain({command, "late", "-o", command, "--from", "0.03", "--to", "0.03"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
 }
 
 TEST_F(PlotCommand, SaysWhatToDoWithoutASeries) {
