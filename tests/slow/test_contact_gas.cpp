@@ -112,7 +112,7 @@ TEST(GasOfSquares, HasThePressureAtTheCriticalStepThatItHasAtShortOnes) {
         const double kept = sim.total_energy() / sim.start_energy - 1.0;
         fmt::print("dt {:.2g} s: {} collisions, Z {:.4f}, rate over sqrt(T / m) {:.2f}, energy kept to {:.2g}\n", dt,
                    bulk.collisions, bulk.compressibility, bulk.collision_rate, kept);
-        EXPECT_NEAR(kept, 0.0, 1e-3);
+        EXPECT_NEAR(kept, 0.0, 1e-12);
         return bulk;
     };
     const Bulk critical = measure(1.0);
