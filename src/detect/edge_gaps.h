@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "src/detect/gap_points.h"
@@ -24,6 +25,14 @@ inline bool reentrant(const PolarPolygon& polygon, int vertex) {
 
 /// Distance of a point from the line of an edge [m], positive outside; in the frame of the polygon.
 inline double gap_to_edge(const PolarPolygon& polygon, int edge, const Vec2& p) { return -polygon.depth(p, edge); }
+
+/// Is a point over the edge that begins at `start` and goes along `along`, or beyond one of its ends by no more than
+/// `slack` [m]?
+inline bool is_over_edge(const Vec2& start, const Vec2& along, const Vec2& p, double slack) {
+    const double length = std::sqrt(along.squaredNorm());
+    const double station = along.dot(p - start);
+    return station >= -slack * length && station <= (length + slack) * length;
+}
 
 /// Feature rule: does a neighbour of p lie behind the line of the edge?
 inline bool neighbour_behind(const Approach& v, const Vec2& normal, double gap) {

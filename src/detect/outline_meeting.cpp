@@ -94,9 +94,7 @@ private:
         const Vec2 p = own.vertex(vertex);
         const Vec2 start = over.vertex(edge);
         const Vec2 along = over.vertex(over.next(edge)) - start;
-        const double length = std::sqrt(along.squaredNorm());
-        const double station = along.dot(pose.to_world(p) - start);
-        if (station < -touching_ * length || station > (length + touching_) * length) return false;
+        if (!is_over_edge(start, along, pose.to_world(p), touching_)) return false;
         return !neighbour_behind({pose.to_world(p), pose.turned(own.vertex(own.previous(vertex)) - p),
                                   pose.turned(own.vertex(own.next(vertex)) - p)},
                                  over.normal(edge), 0.0);

@@ -107,11 +107,7 @@ BlowSolver::Answer BlowSolver::answer(const Ends& ends, double restitution, cons
         return Footing((*bodies_)[at(body)], centre, contact(stance.foot), stance.grip);
     };
     Answer a{footing(first.i, stance_i), footing(first.j, stance_j), {}};
-    if (ends.first == ends.second) {
-        a.blow.result = SharedImpact(first, second, a.i, a.j, 0.0).solve(restitution, false);
-    } else {
-        a.blow = solve_face_blow(first, second, a.i, a.j, restitution);
-    }
+    a.blow = solve_face_blow(first, second, a.i, a.j, restitution);
     SharedImpact(first, second, a.i, a.j, a.blow.of_second).push(a.blow.result, a.i, a.j);
     return a;
 }

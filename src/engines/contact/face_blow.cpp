@@ -90,6 +90,7 @@ double SharedImpact::inverse_mass(const Lever& p, const Lever& q, bool held) con
 FaceBlow solve_face_blow(const GapContact& first, const GapContact& second, const Footing& i, const Footing& j,
                          double restitution) {
     const SharedImpact at_first(first, second, i, j, 0.0);
+    if (&first == &second) return {at_first.solve(restitution, false), 0.0};
     const SharedImpact at_second(first, second, i, j, 1.0);
     double share = 0.5;
     for (int n = 0; n < k_rounds && at_first.yields(); ++n) {

@@ -51,7 +51,8 @@ struct FaceBlow {
         0;  ///< share of the impulse that the second contact gets; 0 or 1 where the face tips over an end
 };
 
-/// The impact of two bodies that meet in two contacts at once, with all but parallel normals and equal closing speeds.
+/// The impact of two bodies that meet in two contacts at once, with all but parallel normals and equal closing speeds;
+/// or in one, given twice.
 ///
 /// One after the other the contacts would throw the bodies into a spin, by an amount that depends on which comes first.
 /// Bodies that meet in a face keep their relative spin as long as it presses on both of its ends, and the pressure is

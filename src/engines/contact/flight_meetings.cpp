@@ -4,11 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "src/detect/edge_gaps.h"
 #include "src/detect/outline_meeting.h"
 #include "src/engines/contact/disk_meeting.h"
 #include "src/engines/contact/lever_arms.h"
 
 namespace polargrain {
+
+namespace {
+
+/// Of the resting gap, squared: corners on one another are flush to within it, and that far apart. (And round-off.)
+constexpr double k_flush = 2.01;
+
+}  // namespace
 
 FlightMeetings::FlightMeetings(const Scene& scene) : scene_(scene) {
     for (GrainIndex k = 0; k < scene.grains.size(); ++k) radius_.push_back(outer_radius(scene.shape_of(k)));
@@ -109,8 +117,7 @@ GapContact& FlightMeetings::contact_of(const OutlineMeeting& meeting, const Outl
     if (found != pair.end()) return *found;
     const Vec2 place = then.vertex_of(meeting.on_i, meeting.vertex);
     const auto same = std::ranges::find_if(pair, [&](const GapContact& k) {
-        // Flush to within the resting gap, and that far apart.
-        return (then.vertex_of(k.on_i, k.vertex) - place).squaredNorm() <= 2.01 * k.resting * k.resting;
+        return (then.vertex_of(k.on_i, k.vertex) - place).squaredNorm() <= k_flush * k.resting * k.resting;
     });
     GapContact& c = same != pair.end() ? *same : *std::ranges::max_element(pair, {}, &GapContact::gap);
     c.vertex = meeting.vertex;
@@ -146,7 +153,6 @@ Flight FlightMeetings::flight_of(GrainIndex grain) const {
 }
 
 void FlightMeetings::turn(GapContact& c, std::size_t contact, const Outlines& then, bool strikes) const {
-    constexpr double k_unbounded = std::numeric_limits<double>::infinity();
     const PolarPolygon& own = c.on_i ? then.i : then.j;
     const PolarPolygon& other = c.on_i ? then.j : then.i;
     const Pose& own_pose = c.on_i ? then.pose_i : then.pose_j;
@@ -161,11 +167,9 @@ void FlightMeetings::turn(GapContact& c, std::size_t contact, const Outlines& th
     set_lever_arms(c, *now_.bodies, c.point - then.pose_i.centre, c.point - then.pose_j.centre);
     const Vec2 start = other_pose.to_world(other.vertex(c.edge));
     const Vec2 along = other_pose.to_world(other.vertex(other.next(c.edge))) - start;
-    const double station = along.dot(c.point - start);
     // Corners that are flush to within the gap at which they rest are each over the other's edge, or a face that they
     // end would lose that end.
-    const double length = std::sqrt(along.squaredNorm());
-    const bool over = station >= -c.resting * length && station <= (length + c.resting) * length;
+    const bool over = is_over_edge(start, along, c.point, c.resting);
     const double gap = std::max(0.0, outward.dot(c.point - start) - c.resting);
     // What would strike later is looked for again after the first; what lands with it, as the other end of a face, is
     // not later.
